@@ -1,0 +1,102 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/vec.hpp"
+#include "geometry/polygon.hpp"
+#include "spectrum/curve.hpp"
+
+/// The validated model of a zone: what the zone file says, in metres, with boxes and copies expanded, features
+/// cut out of their parents, and everything moved so that the zone's own centre is the origin.
+namespace dim {
+
+enum class FinishKind { opaque, glazing };
+
+/// Optical properties of a surface, physics.md section 6: rho = k_s rho_s + k_d rho_d, k_s + k_d = 1.
+struct Finish {
+  std::string name;
+  FinishKind kind = FinishKind::opaque;
+  SpectralCurve diffuse;                            ///< rho_d, 0..1
+  double specular = 0.0;                            ///< k_s, 0..1
+  double roughness = 0.0;                           ///< m, RMS facet slope
+  SpectralCurve ior{1.5};                           ///< eta
+  std::optional<SpectralCurve> extinction;          ///< kappa, conductors
+  std::optional<SpectralCurve> specular_reflectance;  ///< measured constant in place of Fresnel's F
+  std::string distribution = "gaussian";            ///< or "beckmann"
+  SpectralCurve transmittance;                      ///< glazing, at normal incidence
+  std::string source;                               ///< database entry or "inline"
+
+  bool is_diffuse() const { return kind == FinishKind::opaque && specular == 0.0; }
+};
+
+/// One lit side of a polygon. A two-sided panel is two surfaces that name each other as `twin`.
+struct Surface {
+  std::string name;
+  Polygon polygon;  ///< features and touching faces already cut out
+  int finish = 0;   ///< index into Zone::finishes
+  double cell_m = 0.0;
+  std::optional<std::pair<int, int>> grid;  ///< nu x nv asked for instead of a cell size
+  int parent = -1;   ///< surface that this feature lies on
+  int twin = -1;     ///< other side of a two-sided panel
+  bool bounding = true;  ///< from [[surface]], one-sided, not outside; false for boxes, panels, external obstructions
+  bool outside = false;  ///< external obstruction
+  Place place;
+};
+
+/// Measuring plane: receives light, does not obstruct. Points are the middles of an nu x nv grid on the
+/// polygon's rectangle that lie inside the polygon, numbered along u first.
+struct MeasuringPlane {
+  std::string name;
+  Polygon polygon;
+  int nu = 1;
+  int nv = 1;
+  Place place;
+};
+
+struct MeasuringPoint {
+  Vec3 position{0.0};
+  Vec3 normal{0, 0, 1};
+};
+
+/// Measuring points of one plane or one [[sensors]] entry: [first, first + count) of Zone::points.
+struct PointSet {
+  std::string name;
+  std::size_t first = 0;
+  std::size_t count = 0;
+};
+
+struct View {
+  std::string name;
+  Vec3 eye{0.0};
+  Vec3 focus{1, 0, 0};
+  Vec3 up{0, 0, 1};
+  double fov_rad = 1.2;  ///< horizontal
+  int width = 1280;
+  int height = 960;
+};
+
+struct Site {
+  double latitude_deg = 0.0;   ///< north positive
+  double longitude_deg = 0.0;  ///< east positive
+  double time_zone_h = 0.0;
+  double north_deg = 0.0;  ///< of +y, clockwise seen from above
+};
+
+struct Zone {
+  std::string name;
+  Vec3 origin_m{0.0};       ///< add to any position here to get the user's coordinates
+  double unit_m = 1.0;      ///< length of the file's unit: lights are placed in the same unit
+  double diameter_m = 0.0;  ///< diagonal of the bounding box of all surfaces
+  std::vector<Finish> finishes;
+  std::vector<Surface> surfaces;
+  std::vector<MeasuringPlane> planes;
+  std::vector<MeasuringPoint> points;
+  std::vector<PointSet> point_sets;  ///< planes in order, then sensors
+  std::vector<View> views;
+  std::optional<Site> site;
+};
+
+}  // namespace dim
