@@ -7,30 +7,11 @@
 #include "base/error.hpp"
 #include "base/vec.hpp"
 #include "geometry/polygon.hpp"
-#include "spectrum/curve.hpp"
+#include "reflection/finish.hpp"
 
-/// The validated model of a zone: what the zone file says, in metres, with boxes and copies expanded, features
-/// cut out of their parents, and everything moved so that the zone's own centre is the origin.
+/// The validated model of a zone: what the zone file says, in metres, with boxes and copies expanded,
+/// features cut out of their parents, and everything moved so that the zone's own centre is the origin.
 namespace dim {
-
-enum class FinishKind { opaque, glazing };
-
-/// Optical properties of a surface, physics.md section 6: rho = k_s rho_s + k_d rho_d, k_s + k_d = 1.
-struct Finish {
-  std::string name;
-  FinishKind kind = FinishKind::opaque;
-  SpectralCurve diffuse;                            ///< rho_d, 0..1
-  double specular = 0.0;                            ///< k_s, 0..1
-  double roughness = 0.0;                           ///< m, RMS facet slope
-  SpectralCurve ior{1.5};                           ///< eta
-  std::optional<SpectralCurve> extinction;          ///< kappa, conductors
-  std::optional<SpectralCurve> specular_reflectance;  ///< measured constant in place of Fresnel's F
-  std::string distribution = "gaussian";            ///< or "beckmann"
-  SpectralCurve transmittance;                      ///< glazing, at normal incidence
-  std::string source;                               ///< database entry or "inline"
-
-  bool is_diffuse() const { return kind == FinishKind::opaque && specular == 0.0; }
-};
 
 /// One lit side of a polygon. A two-sided panel is two surfaces that name each other as `twin`.
 struct Surface {
@@ -39,9 +20,10 @@ struct Surface {
   int finish = 0;   ///< index into Zone::finishes
   double cell_m = 0.0;
   std::optional<std::pair<int, int>> grid;  ///< nu x nv asked for instead of a cell size
-  int parent = -1;   ///< surface that this feature lies on
-  int twin = -1;     ///< other side of a two-sided panel
-  bool bounding = true;  ///< from [[surface]], one-sided, not outside; false for boxes, panels, external obstructions
+  int parent = -1;                          ///< surface that this feature lies on
+  int twin = -1;                            ///< other side of a two-sided panel
+  bool bounding =
+      true;  ///< from [[surface]], one-sided, not outside; false for boxes, panels, external obstructions
   bool outside = false;  ///< external obstruction
   Place place;
 };
@@ -90,6 +72,9 @@ struct Zone {
   Vec3 origin_m{0.0};       ///< add to any position here to get the user's coordinates
   double unit_m = 1.0;      ///< length of the file's unit: lights are placed in the same unit
   double diameter_m = 0.0;  ///< diagonal of the bounding box of all surfaces
+  double volume_m3 =
+      0.0;              ///< enclosed by the bounding surfaces (divergence theorem); meaningful where `closed`
+  bool closed = false;  ///< every edge of the bounding surfaces is met by another
   std::vector<Finish> finishes;
   std::vector<Surface> surfaces;
   std::vector<MeasuringPlane> planes;

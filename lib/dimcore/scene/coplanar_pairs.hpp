@@ -1,0 +1,29 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "geometry/clip.hpp"
+#include "scene/zone.hpp"
+
+namespace dim {
+
+/// Two surfaces in one plane whose bounding rectangles overlap by more than the tolerance. `large` is the one
+/// of greater area; the corners of `small` lie within the tolerance of its plane.
+struct CoplanarPair {
+  std::size_t large = 0;
+  std::size_t small = 0;
+  bool same_facing = false;
+};
+
+/// All such pairs, in order of index; external obstructions, surfaces without area and twins are left out. A
+/// sweep along the longest axis of the zone: near-linear where surfaces are spread out.
+std::vector<CoplanarPair> coplanar_pairs(const std::vector<Surface>& surfaces, double touch_m);
+
+/// The region of `other` in the frame of `base`, brought to `base` where they nearly touch.
+Region2 region_in_frame(const Polygon& other, const Polygon& base, double touch_m);
+
+/// Whether all corners of `polygon` lie within the tolerance of the plane; the largest distance if asked for.
+bool lies_in_plane(const Polygon& polygon, const Frame& plane, double tolerance_m, double* worst_m = nullptr);
+
+}  // namespace dim

@@ -1,0 +1,211 @@
+#include "scene/face_source.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "database/toml_reader.hpp"
+
+namespace dim {
+namespace {
+
+struct Shape {
+  std::string name;
+  bool box = false;
+  std::vector<FaceSource> faces;
+};
+
+// Names of shapes seen so far, each with its place, shared by surfaces, boxes and copies.
+class Names {
+ public:
+  explicit Names(Problems& problems) : problems_(problems) {}
+
+  void add(const std::string& name, const Place& place) {
+    const auto [it, added] = places_.emplace(name, place);
+    if (!added)
+      problems_.add(place,
+                    fmt::format("the name '{}' is used twice, first at line {}", name, it->second.line),
+                    "give each surface, box and copy its own name");
+  }
+
+ private:
+  Problems& problems_;
+  std::map<std::string, Place> places_;
+};
+
+void read_cells(const TomlTable& table, FaceSource& face) {
+  face.cell = table.number("cell", kLength);
+  face.grid = table.integers2("grid", 1, kMaxGrid);
+}
+
+std::optional<Shape> read_surface(const TomlTable& table) {
+  Shape shape;
+  FaceSource face;
+  const bool complete =
+      int(table.require("name")) & int(table.require("finish")) & int(table.require("vertices"));
+  const auto name = table.name();
+  const auto finish = table.name("finish");
+  const auto outline = table.ring("vertices");
+  const auto holes = table.rings("holes");
+  const auto on = table.name("on");
+  const auto sides = table.integer("sides", 1, 2);
+  face.outside = table.flag("outside", false);
+  read_cells(table, face);
+  table.refuse_unknown();
+  if (!complete || !name || !finish || !outline) return std::nullopt;
+  face.name = *name;
+  face.finish = *finish;
+  face.outline = *outline;
+  if (holes) face.holes = *holes;
+  if (on) face.on = *on;
+  face.two_sided = sides == 2;
+  face.place = table.place("name");
+  face.vertices_place = table.place("vertices");
+  face.finish_place = table.place("finish");
+  face.on_place = table.place("on");
+  if (on && face.two_sided)
+    table.problem("sides", "a feature on a parent has one side", "leave out sides, or on");
+  if (on && face.outside) table.problem("outside", "an external obstruction lies on no parent");
+  shape.name = *name;
+  shape.faces.push_back(std::move(face));
+  return shape;
+}
+
+std::optional<Shape> read_box(const TomlTable& table) {
+  const bool complete = int(table.require("name")) & int(table.require("finish")) &
+                        int(table.require("corner")) & int(table.require("size"));
+  const auto name = table.name();
+  const auto finish = table.name("finish");
+  const auto corner = table.vec3("corner");
+  const auto size = table.vec3("size", kLength);
+  const auto turn = table.number("turn", kAnyNumber);
+  FaceSource common;
+  common.outside = table.flag("outside", false);
+  common.cell = table.number("cell", kLength);
+  table.refuse_unknown();
+  if (!complete || !name || !finish || !corner || !size) return std::nullopt;
+  Shape shape{*name, true, box_faces(*name, *corner, *size, turn.value_or(0.0))};
+  for (auto& face : shape.faces) {
+    face.finish = *finish;
+    face.outside = common.outside;
+    face.cell = common.cell;
+    face.place = table.place("name");
+    face.vertices_place = table.place("size");
+    face.finish_place = table.place("finish");
+  }
+  return shape;
+}
+
+Shape displaced(const Shape& original, const std::string& name, const Vec3& by, const Place& place) {
+  Shape copy = original;
+  copy.name = name;
+  for (auto& face : copy.faces) {
+    face.name = name + face.name.substr(original.name.size());
+    face.place = face.vertices_place = place;
+    for (auto& p : face.outline) p += by;
+    for (auto& hole : face.holes)
+      for (auto& p : hole) p += by;
+  }
+  return copy;
+}
+
+class FaceReader {
+ public:
+  explicit FaceReader(const TomlTable& root) : root_(root), names_(root.context().problems) {}
+
+  std::vector<FaceSource> read() {
+    for (const auto& table : root_.tables("surface")) add(read_surface(table));
+    for (const auto& table : root_.tables("box")) add(read_box(table));
+    for (const auto& table : root_.tables("copy")) read_copy(table);
+    std::vector<FaceSource> faces;
+    for (auto& shape : shapes_)
+      for (auto& face : shape.faces) faces.push_back(std::move(face));
+    return faces;
+  }
+
+ private:
+  void add(std::optional<Shape> shape) {
+    if (!shape) return;
+    names_.add(shape->name, shape->faces[0].place);
+    for (const auto& face : shape->faces) {
+      if (face.name != shape->name) names_.add(face.name, face.place);
+      if (face.two_sided) names_.add(face.name + ".back", face.place);
+    }
+    index_.emplace(shape->name, shapes_.size());
+    shapes_.push_back(std::move(*shape));
+  }
+
+  void read_copy(const TomlTable& given) {
+    TomlTable table = given;
+    const bool complete = int(table.require("of")) & int(table.require("names")) & int(table.require("by"));
+    const auto of = table.name("of");
+    if (of) table.relabel(fmt::format("copy of '{}'", *of));
+    const auto names = table.texts("names");
+    const auto by = table.rows("by", 3, kCoordinate);
+    table.refuse_unknown();
+    if (!complete || !of) return;
+    const auto original = index_.find(*of);
+    if (original == index_.end()) {
+      std::vector<std::string> known;
+      for (const auto& [name, i] : index_) known.push_back(name);
+      table.problem("of", "no surface or box of that name above", did_you_mean(*of, known));
+      return;
+    }
+    if (!names || !by) return;
+    if (names->size() != by->size()) {
+      table.problem("by", fmt::format("{} names but {} displacements", names->size(), by->size()),
+                    "give one [x, y, z] for each name");
+      return;
+    }
+    const Shape shape = shapes_[original->second];
+    const auto& array = *table.node("names")->as_array();
+    for (std::size_t i = 0; i < names->size(); ++i) {
+      const Place place = place_of(array[i].source(), table.context().file);
+      if ((*names)[i].empty() || (*names)[i].find_first_of("\n\r\t") != std::string::npos) {
+        table.context().problems.add(place, table.label() + ": a name must be printable text");
+        continue;
+      }
+      const auto& d = (*by)[i];
+      add(displaced(shape, (*names)[i], {d[0], d[1], d[2]}, place));
+    }
+  }
+
+  const TomlTable& root_;
+  Names names_;
+  std::vector<Shape> shapes_;
+  std::map<std::string, std::size_t> index_;
+};
+
+}  // namespace
+
+std::vector<FaceSource> box_faces(const std::string& name, const Vec3& corner, const Vec3& size,
+                                  double turn_deg) {
+  // Quarter turns exactly, so that a turned box meets its neighbours to the last digit.
+  const double quarters = turn_deg / 90.0;
+  double c = std::cos(radians(turn_deg)), s = std::sin(radians(turn_deg));
+  if (quarters == std::floor(quarters)) c = std::round(c), s = std::round(s);
+  const Vec3 x = Vec3(c, s, 0) * size.x, y = Vec3(-s, c, 0) * size.y, z(0, 0, size.z);
+  const Vec3 p000 = corner, p100 = corner + x, p010 = corner + y, p110 = corner + x + y;
+  const Vec3 p001 = p000 + z, p101 = p100 + z, p011 = p010 + z, p111 = p110 + z;
+  const std::array<std::pair<const char*, Ring3>, 6> faces = {{{".top", {p001, p101, p111, p011}},
+                                                               {".bottom", {p000, p010, p110, p100}},
+                                                               {".south", {p000, p100, p101, p001}},
+                                                               {".north", {p110, p010, p011, p111}},
+                                                               {".west", {p010, p000, p001, p011}},
+                                                               {".east", {p100, p110, p111, p101}}}};
+  std::vector<FaceSource> result;
+  for (const auto& [suffix, ring] : faces) {
+    FaceSource face;
+    face.name = name + suffix;
+    face.outline = ring;
+    face.of_box = true;
+    result.push_back(std::move(face));
+  }
+  return result;
+}
+
+std::vector<FaceSource> read_faces(const TomlTable& root) { return FaceReader(root).read(); }
+
+}  // namespace dim

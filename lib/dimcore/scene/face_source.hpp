@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+#include "geometry/polygon.hpp"
+
+namespace dim {
+
+class TomlTable;
+
+/// One face as the zone file writes it, boxes and copies expanded. Lengths are in the file's unit.
+struct FaceSource {
+  std::string name;
+  Ring3 outline;
+  std::vector<Ring3> holes;
+  std::string finish;
+  std::string on;  ///< parent's name for a feature, else empty
+  bool two_sided = false;
+  bool outside = false;
+  bool of_box = false;
+  std::optional<double> cell;
+  std::optional<std::pair<int, int>> grid;
+  Place place;  ///< of the name
+  Place vertices_place;
+  Place finish_place;
+  Place on_place;
+};
+
+/// Largest number of cells along one side of a surface or plane that a file may ask for.
+inline constexpr int kMaxGrid = 10000;
+
+/// Reads [[surface]], [[box]] and [[copy]]: all surfaces in order, then boxes, then copies. A copy displaces
+/// a surface or all six faces of a box; a copied feature stays `on` the same parent. Duplicate names, boxes
+/// of no size and copies of unknown things are reported.
+std::vector<FaceSource> read_faces(const TomlTable& root);
+
+/// The six faces of a box, outward: top bottom south north west east in the box's own axes (south = -y),
+/// turned about the vertical through its corner.
+std::vector<FaceSource> box_faces(const std::string& name, const Vec3& corner, const Vec3& size,
+                                  double turn_deg);
+
+}  // namespace dim
