@@ -79,7 +79,8 @@ void balance(Network& network, const Cells& cells) {
   constexpr int kMaxRounds = 40;
   constexpr double kGoodEnough = 1e-7;
   const std::size_t n = cells.size();
-  const std::vector<double> visible = apply_rows(network, std::vector<double>(n, 1.0));
+  network.visible = apply_rows(network, std::vector<double>(n, 1.0));
+  const auto& visible = network.visible;
   network.row_scale.assign(n, 1.0);
   network.column_scale.assign(n, 1.0);
   std::vector<double> sent(n);

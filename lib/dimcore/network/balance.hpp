@@ -6,7 +6,7 @@
 
 namespace dim {
 
-/// Sets the network's row and column scales so that energy is kept and a uniform enclosure stays uniform.
+/// Sets the network's visible shares and its row and column scales so that energy is kept and a uniform enclosure stays uniform.
 ///
 /// Sampled rows add up to the visible share of the hemisphere but need not be reciprocal: what cell j sends,
 /// sum_i A_i F_ij, differs by the sampling error from the A_j V_j that reciprocity asks (V_j: the share of j's

@@ -155,12 +155,7 @@ void trace_points(Network& network, const Zone& zone, const RowTracer& tracer, c
   const std::size_t n_patches = network.point_patches.n_patches();
   network.point_back_fraction.resize(zone.points.size());
   for_rows(zone.points.size(), n_patches, "points", job, [&](std::size_t point) {
-    const auto& place = zone.points[point];
-    Frame frame;
-    frame.origin = place.position;
-    frame.n = place.normal;
-    frame.u = perpendicular(place.normal);
-    frame.v = glm::cross(frame.n, frame.u);
+    const Frame frame = frame_at(zone.points[point]);
     const RowCounts counts =
         tracer.trace({&frame, nullptr, nullptr, -1}, network.point_patches, kPointStreams + point,
                      [&](std::size_t patch, std::uint32_t sink) { network.point_sinks.set(point, patch, sink); });

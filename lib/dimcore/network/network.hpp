@@ -46,6 +46,7 @@ struct Network {
   SinkTable sinks;        ///< [cell, patch]
   SinkTable point_sinks;  ///< [point, point patch]
   ExtraLinks extra;
+  std::vector<double> visible;       ///< [n_cells] share of the hemisphere whose rays end on cells
   std::vector<double> row_scale;     ///< [n_cells]
   std::vector<double> column_scale;  ///< [n_cells]
   double imbalance = 0.0;            ///< of scaled columns against their dues, see `balance`
