@@ -1,0 +1,96 @@
+#include "photometry/intensity.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+
+namespace dim {
+namespace {
+
+constexpr double kAngleSlack_rad = 1e-9;
+
+/// Weights of the two end values in the integral of (linear in gamma) sin(gamma) over one interval:
+/// int (a + b g) sin g dg = w_lower I_lower + w_upper I_upper. Written about the interval's middle, where
+/// the plain form I0 cos g0 - I1 cos g1 + b (sin g1 - sin g0) would cancel for narrow intervals.
+struct SineWeights {
+  double lower;
+  double upper;
+};
+
+SineWeights sine_weights(double gamma0, double gamma1) {
+  const double h = 0.5 * (gamma1 - gamma0);
+  const double middle = gamma0 + h;
+  // cos h - sin(h)/h
+  const double bend =
+      h < 1e-2 ? h * h * (-1.0 / 3 + h * h * (1.0 / 30 - h * h / 840.0)) : std::cos(h) - std::sin(h) / h;
+  const double even = std::sin(middle) * std::sin(h);
+  const double odd = std::cos(middle) * bend;
+  return {even + odd, even - odd};
+}
+
+}  // namespace
+
+IntensityTable::IntensityTable(Kind kind, double intensity_cd)
+    : kind_(kind), zero_behind_(kind == Kind::kLambertian), max_cd_(intensity_cd) {
+  flux_lm_ = (kind == Kind::kIsotropic ? 4.0 : 1.0) * kPi * intensity_cd;
+  if (intensity_cd == 0.0) zero_behind_ = true;
+}
+
+IntensityTable IntensityTable::isotropic(double intensity_cd) { return {Kind::kIsotropic, intensity_cd}; }
+
+IntensityTable IntensityTable::lambertian(double intensity_cd) { return {Kind::kLambertian, intensity_cd}; }
+
+IntensityTable::IntensityTable(const IntensityDistribution& distribution)
+    : n_gamma_(distribution.gamma_rad.size()),
+      c_(distribution.c_rad),
+      gamma_(distribution.gamma_rad),
+      cd_(distribution.intensity_cd) {
+  if (cd_.size() != c_.n_nodes() * n_gamma_)
+    throw InternalError("intensity table: " + std::to_string(cd_.size()) + " values for " +
+                        std::to_string(c_.n_nodes()) + " planes of " + std::to_string(n_gamma_));
+  if (std::abs(c_.front_rad()) > kAngleSlack_rad || std::abs(c_.back_rad() - 2 * kPi) > kAngleSlack_rad)
+    throw InternalError("intensity table: planes do not span the whole turn");
+  if (gamma_.front_rad() < 0.0 || gamma_.back_rad() > kPi + kAngleSlack_rad)
+    throw InternalError("intensity table: gamma outside 0..pi");
+  for (const double cd : cd_)
+    if (!(cd >= 0.0) || !std::isfinite(cd))
+      throw InternalError("intensity table: negative or non-finite intensity");
+  summarise();
+}
+
+void IntensityTable::summarise() {
+  const auto& c = c_.nodes_rad();
+  const auto& gamma = gamma_.nodes_rad();
+  // Integral over C first: the trapezium rule is exact for an interpolant linear in C.
+  std::vector<double> round(n_gamma_, 0.0);
+  std::size_t lit_end = 0;  // one past the last gamma with light
+  axial_ = true;
+  for (std::size_t p = 0; p < c.size(); ++p) {
+    const double before = p > 0 ? c[p] - c[p - 1] : 0.0;
+    const double after = p + 1 < c.size() ? c[p + 1] - c[p] : 0.0;
+    const double* row = cd_.data() + p * n_gamma_;
+    for (std::size_t g = 0; g < n_gamma_; ++g) {
+      round[g] += 0.5 * (before + after) * row[g];
+      max_cd_ = std::max(max_cd_, row[g]);
+      if (row[g] > 0.0) lit_end = std::max(lit_end, g + 1);
+      if (row[g] != cd_[g]) axial_ = false;
+    }
+  }
+  for (std::size_t g = 0; g + 1 < n_gamma_; ++g) {
+    const SineWeights weights = sine_weights(gamma[g], gamma[g + 1]);
+    flux_lm_ += weights.lower * round[g] + weights.upper * round[g + 1];
+  }
+  const double reach = lit_end == 0 ? 0.0 : gamma[std::min(lit_end, n_gamma_ - 1)];
+  zero_behind_ = reach <= kPi / 2 + kAngleSlack_rad;
+}
+
+double IntensityTable::at_c_gamma(double c_rad, double gamma_rad) const {
+  if (kind_ == Kind::kIsotropic) return max_cd_;
+  if (kind_ == Kind::kLambertian) return gamma_rad < kPi / 2 ? max_cd_ * std::cos(gamma_rad) : 0.0;
+  if (!gamma_.contains(gamma_rad)) return 0.0;
+  const double turns = std::floor(c_rad / (2 * kPi));
+  return between_planes(std::clamp(c_rad - turns * 2 * kPi, 0.0, 2 * kPi), gamma_rad);
+}
+
+}  // namespace dim
