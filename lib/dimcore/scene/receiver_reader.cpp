@@ -43,21 +43,22 @@ void lay_out_points(const MeasuringPlane& plane, std::vector<MeasuringPoint>& po
   }
 }
 
-void set_grid(const TomlTable& table, const ZoneFrame& frame, double cell_m, MeasuringPlane& plane) {
+bool set_grid(const TomlTable& table, const ZoneFrame& frame, double cell_m, MeasuringPlane& plane) {
   const auto spacing = table.number("spacing", kLength);
   const auto grid = table.integers2("grid", 1, kMaxGrid);
   if (grid) {
     plane.nu = grid->first;
     plane.nv = grid->second;
     if (spacing) table.problem("spacing", "both spacing and grid are given", "leave one out");
-    return;
+    return true;
   }
   const double step_m = spacing ? *spacing * frame.unit_m : cell_m;
   plane.nu = divisions(plane.polygon.size_m().x, step_m);
   plane.nv = divisions(plane.polygon.size_m().y, step_m);
-  if (plane.nu > kMaxGrid || plane.nv > kMaxGrid)
-    table.problem("spacing", fmt::format("more than {} points along one side", kMaxGrid),
-                  "give a larger spacing");
+  if (plane.nu <= kMaxGrid && plane.nv <= kMaxGrid) return true;
+  table.problem("spacing", fmt::format("more than {} points along one side", kMaxGrid),
+                "give a larger spacing");
+  return false;
 }
 
 void read_plane(const TomlTable& table, const ZoneFrame& frame, double cell_m, UniqueNames& names,
@@ -83,8 +84,9 @@ void read_plane(const TomlTable& table, const ZoneFrame& frame, double cell_m, U
   plane.name = *name;
   plane.polygon = Polygon(*outline, *holes);
   plane.place = table.place("name");
-  set_grid(table, frame, cell_m, plane);
+  const bool laid = set_grid(table, frame, cell_m, plane);
   table.refuse_unknown();
+  if (!laid) return;
   const auto n = static_cast<std::size_t>(plane.nu) * static_cast<std::size_t>(plane.nv);
   if (n > kMaxPoints)
     return table.problem("name", fmt::format("{} points, at most {} are accepted", n, kMaxPoints),

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "database/toml_reader.hpp"
 #include "scene/face_source.hpp"
@@ -107,6 +109,8 @@ class ZoneReader {
     }
     const auto found = finish_index_.find(face.finish);
     if (found != finish_index_.end()) return found->second;
+    // The six faces of a box share one place.
+    if (!reported_finishes_.emplace(face.finish_place.line, face.finish_place.column).second) return -1;
     auto cure = did_you_mean(face.finish, keys(finish_index_));
     if (cure.empty()) cure = fmt::format("write it in [finishes]: {} = 0.5", face.finish);
     problems_.add(face.finish_place, fmt::format("surface '{}': no finish '{}'", face.name, face.finish),
@@ -174,6 +178,7 @@ class ZoneReader {
   double cell_m_ = kDefaultCell_m;
   double planarity_m_ = 0.0;
   std::map<std::string, int> finish_index_;
+  std::set<std::pair<int, int>> reported_finishes_;
   std::vector<SurfaceLink> links_;
   Zone zone_;
 };

@@ -10,10 +10,19 @@ namespace dim {
 
 struct ShellCheck {
   bool closed = false;
-  double volume_m3 = 0.0;  ///< enclosed by the bounding surfaces; negative where they face outwards
+  double volume_m3 = 0.0;
 };
 
-/// Whether the bounding surfaces (features not counted, their parents not yet cut) make a closed shell.
+/// Examines the bounding surfaces (parents before features are cut from them) as a shell.
+///
+/// Surfaces that share edges make a part of the shell. A part is inner where it lies inside another
+/// (furniture written as [[surface]]) and outer otherwise; outer parts face inwards, inner ones outwards. The
+/// volume is that of the outer parts (divergence theorem about each part's centre).
+///
+/// Reports surfaces of a closed part that face the wrong way. Warns of up to three edges that nothing meets,
+/// with their ends in the file's coordinates; of surfaces that seem turned round in a part that is not
+/// closed.
+/// @param touch_m  distance within which edges are the same
 ShellCheck check_shell(const std::vector<Surface>& surfaces, const ZoneFrame& frame, double touch_m,
                        Problems& problems, Warnings& warnings);
 

@@ -1,0 +1,48 @@
+#include "database/fitting_entry.hpp"
+
+#include <filesystem>
+
+#include "database/toml_reader.hpp"
+
+namespace dim {
+
+void read_spectrum_key(const TomlTable& table, std::optional<SpectralCurve>& spectrum,
+                       std::string& spectrum_name) {
+  const auto* node = table.node("spectrum");
+  if (!node) return;
+  if (node->is_string()) {
+    if (auto name = table.name("spectrum")) spectrum_name = std::move(*name);
+    return;
+  }
+  auto curve = table.curve("spectrum", kNotNegative);
+  if (!curve) return;
+  if (curve->max() > 0.0)
+    spectrum = std::move(curve);
+  else
+    table.problem("spectrum", "spectrum is zero at every wavelength");
+}
+
+FittingEntry read_fitting_entry(std::string_view text, const std::string& file, const std::string& name) {
+  const toml::table root = parse_toml(text, file, {"fitting", 1, false, {}});
+  Problems problems;
+  TomlContext context{file, problems};
+  const TomlTable table(root, "", context);
+  FittingEntry entry;
+  entry.name = name;
+  table.require("file");
+  if (const auto named = table.name("file"))
+    entry.file = (std::filesystem::path(file).parent_path() / *named).string();
+  entry.file_place = table.place("file");
+  entry.watts = table.number("watts", kPositive);
+  entry.lumens = table.number("lumens", kPositive);
+  read_spectrum_key(table, entry.spectrum, entry.spectrum_name);
+  entry.title = table.text("title").value_or("");
+  entry.source = table.text("source").value_or("");
+  entry.licence = table.text("licence").value_or("");
+  for (const char* key : {"dim", "note"}) table.text(key);
+  table.refuse_unknown();
+  problems.throw_if_any();
+  return entry;
+}
+
+}  // namespace dim

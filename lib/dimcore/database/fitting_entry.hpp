@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/error.hpp"
+#include "database/search.hpp"
+#include "spectrum/curve.hpp"
+
+namespace dim {
+
+/// A database entry `fittings/NAME.toml`: names the photometric file and says what that file does not.
+struct FittingEntry {
+  std::string name;
+  std::string title;
+  std::string file;              ///< path of the .ies or .ldt, made relative to the entry's own folder
+  std::optional<double> watts;   ///< > 0
+  std::optional<double> lumens;  ///< luminaire flux that the intensities are scaled to, > 0
+  std::optional<SpectralCurve> spectrum;  ///< relative
+  std::string spectrum_name;              ///< where the entry names a spectrum instead of giving it
+  std::string source;
+  std::string licence;
+  Place file_place;  ///< of the photometric file's name in the entry
+};
+
+/// Reads the text of an entry: `file` (required), `watts`, `lumens`, `spectrum` ([[nm, value], ...] or a
+/// name), `source`, `licence`, `title`, `note`; `dim = "fitting/1"` may begin it.
+/// @throws InputError with every problem of the entry
+FittingEntry read_fitting_entry(std::string_view text, const std::string& file, const std::string& name);
+
+class TomlTable;
+
+/// A `spectrum` key: a curve, or a name left in `spectrum_name`. A curve without any light is reported.
+void read_spectrum_key(const TomlTable& table, std::optional<SpectralCurve>& spectrum,
+                       std::string& spectrum_name);
+
+}  // namespace dim

@@ -1,0 +1,129 @@
+#include "scene/fitting_shelf.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "database/entry_file.hpp"
+#include "database/fitting_entry.hpp"
+#include "photometry/ies.hpp"
+#include "photometry/text_scanner.hpp"
+
+namespace dim {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string extension_of(const std::string& name) { return in_capitals(fs::path(name).extension().string()); }
+
+}  // namespace
+
+FileLoader load_from_disk() {
+  return [](const std::string& path) { return read_entry_text(path); };
+}
+
+FittingShelf::FittingShelf(std::string folder, const DatabaseSearch& search, const FileLoader& load,
+                           Problems& problems, Warnings& warnings)
+    : folder_(std::move(folder)), search_(search), load_(load), problems_(problems), warnings_(warnings) {}
+
+int FittingShelf::add(const std::string& key, Fitting fitting) {
+  fittings_.push_back(std::move(fitting));
+  const int i = static_cast<int>(fittings_.size()) - 1;
+  index_[key] = i;
+  return i;
+}
+
+int FittingShelf::find(const std::string& name, const std::string& asker, const Place& place) {
+  const auto known = index_.find(name);
+  if (known != index_.end()) return known->second;
+  auto fitting = read(name, asker, place);
+  if (fitting) return add(name, std::move(*fitting));
+  return index_[name] = -1;
+}
+
+int FittingShelf::ideal(const std::string& kind) {
+  const std::string key = "ideal " + kind;
+  const auto known = index_.find(key);
+  if (known != index_.end()) return known->second;
+  auto intensity = kind == "isotropic" ? IntensityTable::isotropic(1.0) : IntensityTable::lambertian(1.0);
+  const double flux_lm = intensity.flux_lm();
+  return add(key, {kind, std::move(intensity), {}, flux_lm, SpectralCurve(1.0), false, "", 0.0});
+}
+
+int FittingShelf::with_spectrum(int fitting, const std::string& key,
+                                const std::optional<SpectralCurve>& spectrum,
+                                const std::string& spectrum_name) {
+  const std::string whole_key = fmt::format("{} spectrum {}", fitting, key);
+  const auto known = index_.find(whole_key);
+  if (known != index_.end()) return known->second;
+  Fitting copy = (*this)[fitting];
+  copy.has_spectrum = spectrum.has_value();
+  copy.spectrum = spectrum.value_or(SpectralCurve(1.0));
+  copy.spectrum_name = spectrum_name;
+  return add(whole_key, std::move(copy));
+}
+
+std::optional<Fitting> FittingShelf::read(const std::string& name, const std::string& asker,
+                                          const Place& place) {
+  const std::string extension = extension_of(name);
+  if (extension == ".IES" || extension == ".LDT")
+    return read_photometry(name, (fs::path(folder_) / name).string(), std::nullopt, asker, place);
+  if (const auto path = search_.find_fitting(name)) return read_entry(name, *path);
+  problems_.add(place, fmt::format("{}: no fitting '{}' in {}", asker, name, search_.places("fittings")),
+                did_you_mean(name, search_.names("fittings")));
+  return std::nullopt;
+}
+
+std::optional<Fitting> FittingShelf::read_entry(const std::string& name, const std::string& path) {
+  try {
+    const FittingEntry entry = read_fitting_entry(load_(path), path, name);
+    auto fitting =
+        read_photometry(name, entry.file, entry.lumens, fmt::format("fitting '{}'", name), entry.file_place);
+    if (!fitting) return std::nullopt;
+    if (entry.spectrum) fitting->spectrum = *entry.spectrum;
+    fitting->has_spectrum = entry.spectrum.has_value();
+    fitting->spectrum_name = entry.spectrum_name;
+    if (entry.watts) fitting->watts = *entry.watts;
+    return fitting;
+  } catch (const InputError& error) {
+    pass_on(error);
+  } catch (const IoError& error) {
+    problems_.add({path, 0, 0}, error.what());
+  }
+  return std::nullopt;
+}
+
+std::optional<Fitting> FittingShelf::read_photometry(const std::string& name, const std::string& path,
+                                                     std::optional<double> lumens, const std::string& asker,
+                                                     const Place& place) {
+  if (extension_of(path) != ".IES") {
+    problems_.add(
+        place,
+        fmt::format("{}: '{}' is not an .ies file; no other photometric format is read yet", asker, name),
+        "convert it to IES LM-63");
+    return std::nullopt;
+  }
+  try {
+    const auto beside = [&](const std::string& tilt) {
+      return load_((fs::path(path).parent_path() / tilt).string());
+    };
+    Photometry photometry = read_ies(load_(path), path, warnings_, beside);
+    if (lumens && photometry.flux_lm > 0.0)
+      for (auto& cd : photometry.distribution.intensity_cd) cd *= *lumens / photometry.flux_lm;
+    IntensityTable intensity(photometry.distribution);
+    const double flux_lm = intensity.flux_lm();
+    return Fitting{name, std::move(intensity),        photometry.opening, flux_lm, SpectralCurve(1.0), false,
+                   "",   photometry.watts.value_or(0)};
+  } catch (const InputError& error) {
+    pass_on(error);
+  } catch (const IoError& error) {
+    problems_.add(place, fmt::format("{}: {}", asker, error.what()));
+  }
+  return std::nullopt;
+}
+
+void FittingShelf::pass_on(const InputError& error) {
+  for (const auto& problem : error.problems()) problems_.add(problem.place, problem.what, problem.cure);
+}
+
+}  // namespace dim

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/vec.hpp"
+#include "photometry/intensity.hpp"
+#include "photometry/opening.hpp"
+#include "spectrum/curve.hpp"
+
+/// The validated model of a lights file: fittings, each once, and the luminaires that use them, in the zone's
+/// centred metres.
+namespace dim {
+
+/// A kind of luminaire.
+struct Fitting {
+  std::string name;
+  IntensityTable intensity;  ///< ideal sources: of 1 cd, the luminaire's factor says how many
+  LuminousOpening opening;
+  double flux_lm = 0.0;         ///< integral of `intensity`
+  SpectralCurve spectrum{1.0};  ///< relative; equal-energy where the entry says nothing
+  bool has_spectrum = false;
+  std::string spectrum_name;  ///< a spectrum asked for by name, not read: counts as equal-energy
+  double watts = 0.0;         ///< 0 where not known
+};
+
+/// One luminaire in its place. Its frame is x = c0, y = c90, z = aim, as IntensityTable and LuminousOpening
+/// have it.
+struct Luminaire {
+  std::string name;
+  std::string group;
+  int fitting = 0;          ///< index into Lights::fittings
+  Vec3 at{0.0};             ///< photometric centre, zone-centred metres
+  Vec3 c0{1, 0, 0};         ///< C = 0
+  Vec3 c90{0, 1, 0};        ///< c0 x aim
+  Vec3 aim{0, 0, -1};       ///< gamma = 0
+  double factor = 1.0;      ///< times the fitting's intensity: dim, and lumens or intensity asked for
+  LuminousOpening opening;  ///< the fitting's, or what the lights file says instead
+  bool body = false;        ///< the opening also obstructs
+  Place place;
+
+  Vec3 to_local(const Vec3& direction) const {
+    return {glm::dot(direction, c0), glm::dot(direction, c90), glm::dot(direction, aim)};
+  }
+  Vec3 to_world(const Vec3& local) const { return local.x * c0 + local.y * c90 + local.z * aim; }
+};
+
+struct Lights {
+  std::vector<Fitting> fittings;
+  std::vector<Luminaire> luminaires;
+};
+
+}  // namespace dim
