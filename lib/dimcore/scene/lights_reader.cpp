@@ -248,17 +248,14 @@ class LightsReader {
 
   // Mixes name sources and groups alike.
   void check_groups() {
-    std::map<std::string, const Luminaire*> by_name;
-    for (const auto& luminaire : lights_.luminaires) by_name.emplace(luminaire.name, &luminaire);
     std::set<std::string> reported;
     for (const auto& luminaire : lights_.luminaires) {
-      const auto other = by_name.find(luminaire.group);
-      if (other == by_name.end() || other->second->group == luminaire.group ||
+      if (luminaire.group == luminaire.name || !names_.contains(luminaire.group) ||
           !reported.insert(luminaire.group).second)
         continue;
       problems_.add(luminaire.place,
-                    fmt::format("luminaire '{}': its group '{}' is the name of a luminaire in group '{}'",
-                                luminaire.name, luminaire.group, other->second->group),
+                    fmt::format("luminaire '{}': its group '{}' is the name of another luminaire",
+                                luminaire.name, luminaire.group),
                     "mixes choose by name or group: keep them apart");
     }
   }
