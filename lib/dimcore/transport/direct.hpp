@@ -14,9 +14,9 @@ namespace dim {
 /// luminaires), visibility included.
 ///
 /// Integrates I(direction) cos(theta) / r^2 over cell x luminous opening (equation 8 of the paper for each pair
-/// of points): Gauss points, two an axis; the pair is halved along its longest side wherever it is large against
-/// its distance, and where the points disagree on visibility or lie on both sides of a horizon. Where samples
-/// lie depends on geometry alone, never on how much light they carry.
+/// of points). Without obstruction by Gauss points, two an axis, the pair halved along its longest side wherever
+/// it is large against its distance; the visible share by low-discrepancy rays over cell and opening, more of
+/// them where they disagree (a shadow edge). The same bits on any number of threads.
 struct DirectLight {
   std::vector<double> cell_lx;   ///< [n_cells, n_sources]
   std::vector<double> point_lx;  ///< [n_points, n_sources]

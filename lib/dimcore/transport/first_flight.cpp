@@ -24,8 +24,8 @@ FirstFlight fly(const Zone& zone, const RayCaster& caster, const Luminaire& lumi
     const double cd = fitting.intensity.at(local);
     if (!(cd > 0.0)) continue;
     const Vec3 q = sample(luminaire.opening, {x[2], x[3]});
-    const Vec3 from = luminaire.at + q.x * luminaire.c0 + q.y * luminaire.c90 + q.z * luminaire.aim;
-    const Hit hit = caster.nearest(from, local.x * luminaire.c0 + local.y * luminaire.c90 + local.z * luminaire.aim);
+    const Vec3 from = luminaire.at + luminaire.to_world(q);
+    const Hit hit = caster.nearest(from, luminaire.to_world(local));
     total_cd += cd;
     const auto plate = static_cast<std::size_t>(hit.plate);
     if (hit.plate < 0)
