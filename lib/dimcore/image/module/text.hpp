@@ -1,0 +1,14 @@
+#pragma once
+
+#include "image/module/abi.hpp"
+
+/// Inside the picture module: text on 8-bit pictures.
+namespace dim::image_module {
+
+/// @throws std::runtime_error  no font is installed
+DimImageExtent measure_text(const DimImageText& text);
+
+/// @throws std::runtime_error  no font is installed
+void draw_text(const DimImageText& text, std::uint8_t* rgb, int width, int height);
+
+}  // namespace dim::image_module

@@ -1,0 +1,140 @@
+#include <cmath>
+#include <limits>
+
+#include "base/error.hpp"
+#include "catch.hpp"
+#include "image/linear_rgb.hpp"
+#include "image/tone.hpp"
+
+using dim::Raster;
+using dim::Vec3;
+
+namespace {
+
+Raster uniform(int width, int height, const Vec3& xyz) {
+  Raster raster{width, height, {}, {}, "lx"};
+  for (std::size_t i = 0; i < raster.n_pixels(); ++i) {
+    for (int c = 0; c < 3; ++c) raster.xyz.push_back(static_cast<float>(xyz[c]));
+  }
+  return raster;
+}
+
+}  // namespace
+
+TEST_CASE("A grey in equal-energy white is shown as R = G = B", "[image][unit]") {
+  const auto result = dim::tone_linear(uniform(3, 2, Vec3(50, 50, 50)), {.display_white_cd_m2 = 100});
+  // 0.5 linear is 187.5 of 255 by IEC 61966-2-1: one of two steps, by the dither.
+  for (std::size_t i = 0; i < 6; ++i) {
+    CHECK((result.picture.rgb[3 * i] == 187 || result.picture.rgb[3 * i] == 188));
+    CHECK(result.picture.rgb[3 * i] == result.picture.rgb[3 * i + 1]);
+    CHECK(result.picture.rgb[3 * i] == result.picture.rgb[3 * i + 2]);
+  }
+  CHECK(result.n_out_of_gamut == 0);
+  CHECK(result.n_above_white == 0);
+}
+
+TEST_CASE("Without adaptation equal-energy white looks pink on a D65 display", "[image][unit]") {
+  dim::ToneOptions options;
+  options.scene_white_xyz = dim::xyz_of(dim::kWhiteD65);
+  options.display_white_cd_m2 = 100;
+  const auto rgb = dim::tone_linear(uniform(1, 1, Vec3(50, 50, 50)), options).picture.rgb;
+  CHECK(rgb[0] > rgb[1]);
+  CHECK(rgb[1] > 0);
+}
+
+TEST_CASE("The given exposure maps its luminance to full white", "[image][unit]") {
+  const auto at_white = dim::tone_linear(uniform(1, 1, Vec3(200, 200, 200)), {.display_white_cd_m2 = 200});
+  CHECK(at_white.picture.rgb == std::vector<std::uint8_t>{255, 255, 255});
+  CHECK(at_white.n_above_white == 0);
+  CHECK(at_white.display_white_cd_m2 == 200);
+  const auto above = dim::tone_linear(uniform(2, 1, Vec3(201, 201, 201)), {.display_white_cd_m2 = 200});
+  CHECK(above.picture.rgb == std::vector<std::uint8_t>(6, 255));
+  CHECK(above.n_above_white == 2);
+}
+
+TEST_CASE("The automatic exposure shows the 90 % quantile of what is lit at 0.7", "[image][unit]") {
+  Raster raster = uniform(101, 1, Vec3(0, 0, 0));
+  for (std::size_t i = 0; i < 101; ++i) raster.xyz[3 * i + 1] = static_cast<float>(1 + i);
+  CHECK(dim::automatic_display_white_cd_m2(raster) == Approx(91 / 0.7));
+  CHECK(dim::tone_linear(raster).display_white_cd_m2 == Approx(91 / 0.7));
+}
+
+TEST_CASE("Luminaires in under a tenth of the view and unlit pixels do not move the exposure",
+          "[image][unit]") {
+  Raster raster = uniform(100, 10, Vec3(60, 60, 60));
+  const double before = dim::automatic_display_white_cd_m2(raster);
+  for (std::size_t i = 0; i < 50; ++i) raster.xyz[3 * i + 1] = 9000;
+  for (std::size_t i = 500; i < 900; ++i) raster.xyz[3 * i + 1] = 0;
+  raster.xyz[3 * 999 + 1] = std::numeric_limits<float>::quiet_NaN();
+  CHECK(dim::automatic_display_white_cd_m2(raster) == before);
+}
+
+TEST_CASE("A dark or empty view is black, not an error", "[image][unit]") {
+  const auto result = dim::tone_linear(uniform(4, 4, Vec3(0, 0, 0)));
+  CHECK(result.display_white_cd_m2 == 1.0);
+  CHECK(result.picture.rgb == std::vector<std::uint8_t>(48, 0));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK(dim::tone_linear(uniform(1, 1, Vec3(nan, 5, 5))).picture.rgb == std::vector<std::uint8_t>(3, 0));
+}
+
+TEST_CASE("The picture is the same for luminances scaled by 1e-12 and 1e12", "[image][unit]") {
+  Raster raster = uniform(64, 1, Vec3(0, 0, 0));
+  for (std::size_t i = 0; i < raster.xyz.size(); ++i) raster.xyz[i] = static_cast<float>(1 + i);
+  const auto picture = dim::tone_linear(raster).picture.rgb;
+  for (const float factor : {0x1p-40f, 0x1p40f}) {
+    Raster scaled = raster;
+    for (float& v : scaled.xyz) v *= factor;
+    CHECK(dim::tone_linear(scaled).picture.rgb == picture);
+  }
+}
+
+TEST_CASE("Dithering keeps the mean of a level between two steps", "[image][unit]") {
+  const double level = 100.3;
+  const double linear = dim::srgb_decode(level / 255);
+  const auto result = dim::tone_linear(uniform(200, 200, Vec3(linear)), {.display_white_cd_m2 = 1});
+  double sum = 0;
+  for (const auto v : result.picture.rgb) sum += v;
+  CHECK(sum / static_cast<double>(result.picture.rgb.size()) == Approx(level).margin(0.01));
+}
+
+TEST_CASE("Spectral green is outside sRGB: brought in and counted", "[image][unit]") {
+  // CIE 1931 colour-matching functions at 520 nm
+  const auto result =
+      dim::tone_linear(uniform(2, 2, Vec3(0.06327, 0.71, 0.07825)), {.display_white_cd_m2 = 2});
+  CHECK(result.n_out_of_gamut == 4);
+  CHECK(result.n_above_white == 0);
+}
+
+TEST_CASE("Wrong exposures and rasters are refused", "[image][unit]") {
+  const Raster raster = uniform(2, 2, Vec3(1.0));
+  for (const double bad : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
+    CHECK_THROWS_AS(dim::tone_linear(raster, {.display_white_cd_m2 = bad}), dim::InputError);
+  }
+  Raster wrong = raster;
+  wrong.xyz.pop_back();
+  CHECK_THROWS_AS(dim::tone_linear(wrong), dim::InternalError);
+  wrong = raster;
+  wrong.width = 0;
+  CHECK_THROWS_AS(dim::tone_linear(wrong), dim::LimitError);
+}
+
+TEST_CASE("Radiance pixels hold luminance / 179 and equal parts for equal-energy white", "[image][unit]") {
+  const dim::LinearPicture white = dim::radiance_pixels(uniform(1, 1, Vec3(179, 179, 179)));
+  for (const float v : white.values) CHECK(v == Approx(1.0f).epsilon(1e-6));
+  const dim::LinearPicture green = dim::radiance_pixels(uniform(1, 1, Vec3(6.327, 71, 7.825)));
+  const Vec3 rgb(green.values[0], green.values[1], green.values[2]);
+  CHECK(glm::dot(rgb, dim::luminance_weights(dim::kRadiancePrimaries)) * 179 == Approx(71).epsilon(1e-6));
+  CHECK(green.n_out_of_gamut == 1);
+  for (const float v : green.values) CHECK(v >= 0);
+}
+
+TEST_CASE("OpenEXR pixels give XYZ back through their primaries, negative components included",
+          "[image][unit]") {
+  const Vec3 xyz(6.327, 71, 7.825);
+  const dim::LinearPicture picture = dim::exr_pixels(uniform(1, 1, xyz), Vec3(1.0));
+  const Vec3 rgb(picture.values[0], picture.values[1], picture.values[2]);
+  CHECK(rgb.x < 0);
+  const Vec3 back = dim::rgb_to_xyz(picture.primaries) * rgb;
+  for (int i = 0; i < 3; ++i) CHECK(back[i] == Approx(xyz[i]).epsilon(1e-5));
+  CHECK(picture.values[3] == 71.0f);
+}
