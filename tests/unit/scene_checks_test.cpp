@@ -39,7 +39,7 @@ TEST_CASE("Syntax and encoding errors have their line and column", "[scene][unit
   REQUIRE(encoding.size() == 1);
   CHECK(encoding[0].starts_with("2:"));
   CHECK(problems_of("").size() == 1);
-  CHECK(problems_of(std::string("dim = \"zone/1\"\nname = \"a\0b\"\n", 30)).size() == 1);
+  CHECK(problems_of(std::string("dim = \"zone/1\"\nname = \"a\0b\"\n", 28)).size() == 1);
 }
 
 TEST_CASE("Nesting without end is refused, not followed", "[scene][unit]") {
