@@ -1,1 +1,13 @@
-int main() { return 0; }
+#include "dimdis/options.hpp"
+
+int main(int argc, char** argv) {
+  dim::Program program("dimdis", "Turns a zone into cells, hemisphere patches and a ray network.",
+                       "  dimdis office.zone.toml -o office.rays\n  dimdis areas office.zone.toml",
+                       "file formats: zone/1, rays/1");
+  dim::DiscretiseCommand discretise(program);
+  dim::GeometryCommands geometry(program);
+  return program.run(argc, argv, [&] {
+    dim::Exit status = dim::Exit::done;
+    return geometry.run(status) ? status : discretise.run();
+  });
+}

@@ -43,6 +43,16 @@ struct MeasuringPoint {
   Vec3 normal{0, 0, 1};
 };
 
+/// Frame with its origin at the point and n its normal.
+inline Frame frame_at(const MeasuringPoint& point) {
+  Frame frame;
+  frame.origin = point.position;
+  frame.n = point.normal;
+  frame.u = perpendicular(point.normal);
+  frame.v = glm::cross(frame.n, frame.u);
+  return frame;
+}
+
 /// Measuring points of one plane or one [[sensors]] entry: [first, first + count) of Zone::points.
 struct PointSet {
   std::string name;

@@ -1,0 +1,181 @@
+#include "result/database.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "scene/zone_storage.hpp"
+
+namespace dim {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::size_t kGammaSteps = 180;
+
+Json to_json(const Vec3& v) { return {v.x, v.y, v.z}; }
+Vec3 vec3(const Json& json) { return {json.at(0), json.at(1), json.at(2)}; }
+
+Json source_to_json(const Source& source) {
+  Json energy = Json::array();
+  for (const auto& e : source.energy)
+    energy.push_back({{"emitted_W", e.emitted_W},
+                      {"absorbed_W", e.absorbed_W},
+                      {"escaped_W", e.escaped_W},
+                      {"lost_W", e.lost_W},
+                      {"dropped_W", e.dropped_W},
+                      {"imbalance", e.imbalance}});
+  const auto& w = source.weights;
+  return {{"name", source.name},
+          {"group", source.group},
+          {"luminaires", source.luminaires},
+          {"flux_lm", source.flux_lm},
+          {"weights", {{"efficacy_lm_W", w.efficacy_lm_W}, {"share", w.share}, {"x", w.x}, {"y", w.y}, {"z", w.z}}},
+          {"energy", std::move(energy)},
+          {"iterations", source.iterations},
+          {"residual", source.residual},
+          {"error_bound", source.error_bound}};
+}
+
+Source source_from_json(const Json& json, std::size_t n_bands) {
+  Source source;
+  source.name = json.at("name");
+  source.group = json.at("group");
+  source.luminaires = json.at("luminaires").get<std::vector<std::string>>();
+  source.flux_lm = json.at("flux_lm");
+  const auto& w = json.at("weights");
+  const auto column = [&](const char* name) {
+    auto values = w.at(name).get<std::vector<double>>();
+    if (values.size() != n_bands) throw std::out_of_range(name);
+    return values;
+  };
+  source.weights = {w.at("efficacy_lm_W"), column("share"), column("x"), column("y"), column("z")};
+  for (const auto& e : json.at("energy"))
+    source.energy.push_back({e.at("emitted_W"), e.at("absorbed_W"), e.at("escaped_W"), e.at("lost_W"),
+                             e.at("dropped_W"), e.at("imbalance")});
+  source.iterations = json.at("iterations");
+  source.residual = json.at("residual");
+  source.error_bound = json.at("error_bound");
+  return source;
+}
+
+MeanIntensity mean_intensity(const IntensityTable& table) {
+  constexpr int kPlanes = 24;
+  MeanIntensity mean;
+  for (std::size_t i = 0; i <= kGammaSteps; ++i) {
+    const double gamma = kPi * static_cast<double>(i) / kGammaSteps;
+    double sum = 0.0;
+    for (int c = 0; c < kPlanes; ++c) sum += table.at_c_gamma(2.0 * kPi * c / kPlanes, gamma);
+    mean.push_back(sum / kPlanes);
+  }
+  return mean;
+}
+
+std::size_t source_of(const Solution& solution, const std::string& luminaire) {
+  for (std::size_t s = 0; s < solution.sources.size(); ++s) {
+    for (const auto& name : solution.sources[s].luminaires) {
+      if (name == luminaire) return s;
+    }
+  }
+  throw InternalError("luminaire '" + luminaire + "' belongs to no source");
+}
+
+Json description(const Lights& lights, const Solution& solution) {
+  Json json = {{"sources", Json::array()}, {"luminaires", Json::array()}, {"photometry", Json::array()}};
+  for (const auto& source : solution.sources) json["sources"].push_back(source_to_json(source));
+  for (const auto& fitting : lights.fittings)
+    json["photometry"].push_back({{"name", fitting.name},
+                                  {"flux_lm", fitting.intensity.flux_lm()},
+                                  {"watts", fitting.watts},
+                                  {"mean_intensity_cd", mean_intensity(fitting.intensity)}});
+  for (const auto& l : lights.luminaires)
+    json["luminaires"].push_back({{"name", l.name},
+                                  {"source", source_of(solution, l.name)},
+                                  {"at", to_json(l.at)},
+                                  {"c0", to_json(l.c0)},
+                                  {"c90", to_json(l.c90)},
+                                  {"aim", to_json(l.aim)},
+                                  {"opening_shape", static_cast<int>(l.opening.shape)},
+                                  {"opening_m", {l.opening.length_m, l.opening.width_m, l.opening.height_m}},
+                                  {"photometry", l.fitting},
+                                  {"factor", l.factor}});
+  return json;
+}
+
+ShownLuminaire luminaire_from_json(const Json& l, std::size_t n_sources, std::size_t n_photometry) {
+  ShownLuminaire shown;
+  shown.name = l.at("name");
+  shown.source = l.at("source");
+  shown.at = vec3(l.at("at"));
+  shown.c0 = vec3(l.at("c0"));
+  shown.c90 = vec3(l.at("c90"));
+  shown.aim = vec3(l.at("aim"));
+  const int shape = l.at("opening_shape");
+  const auto& size = l.at("opening_m");
+  shown.opening = {static_cast<OpeningShape>(shape), size.at(0), size.at(1), size.at(2)};
+  shown.photometry = l.at("photometry");
+  shown.factor = l.at("factor");
+  if (shown.source >= n_sources || shown.photometry >= n_photometry) throw std::out_of_range("luminaire");
+  return shown;
+}
+
+}  // namespace
+
+std::string save_lum(const std::string& path, const Zone& zone, const Cells& cells, const Lights& lights,
+                     const Solution& solution, const std::string& rays_hash, const Job& job) {
+  Hdf5Writer file("lum", kLumVersion);
+  store_zone(file, zone);
+  file.text("/description", description(lights, solution).dump());
+  file.attribute("/", "rays_hash", rays_hash);
+  file.dataset<double>("/bands", solution.bands.edges_nm, {solution.bands.edges_nm.size()}, "nm", "band edges");
+  std::vector<double> area(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) area[i] = cells.area_m2(i);
+  file.dataset<double>("/cells/area", area, {area.size()}, "m2");
+  const auto store = [&](const std::string& name, const std::vector<float>& values, std::size_t n) {
+    file.dataset<float>(name, values, {solution.sources.size(), solution.bands.size(), n}, "W/m2",
+                        "irradiance by source, band and cell or point");
+  };
+  store("/cells/direct", solution.cell_direct, solution.n_cells);
+  store("/cells/total", solution.cell_total, solution.n_cells);
+  store("/points/direct", solution.point_direct, solution.n_points);
+  store("/points/total", solution.point_total, solution.n_points);
+  return std::move(file).write(path, job);
+}
+
+LuminanceDatabase::LuminanceDatabase(const std::string& path, const Job& job)
+    : path_(path), file_(path, "lum", kLumVersion, job), zone_(load_zone(file_, path)) {
+  try {
+    bands_.edges_nm = file_.dataset<double>("/bands", {kAnySize});
+    if (bands_.edges_nm.size() < 2) throw std::out_of_range("bands");
+    n_cells_ = file_.shape("/cells/area").at(0);
+    rays_hash_ = file_.text_attribute("/", "rays_hash");
+    const Json json = Json::parse(file_.text("/description"));
+    for (const auto& source : json.at("sources")) sources_.push_back(source_from_json(source, bands_.size()));
+    for (const auto& p : json.at("photometry")) {
+      photometry_.push_back(p.at("mean_intensity_cd").get<std::vector<double>>());
+      if (photometry_.back().size() != kGammaSteps + 1) throw std::out_of_range("photometry");
+    }
+    for (const auto& l : json.at("luminaires"))
+      luminaires_.push_back(luminaire_from_json(l, sources_.size(), photometry_.size()));
+  } catch (const nlohmann::json::exception&) {
+    throw IoError(path, "the description in this luminance database cannot be read");
+  } catch (const std::out_of_range&) {
+    throw IoError(path, "this luminance database does not hold together");
+  }
+}
+
+std::vector<float> LuminanceDatabase::of_source(const std::string& dataset, std::size_t source, std::size_t n) const {
+  if (file_.shape(dataset) != Shape{sources_.size(), bands_.size(), n})
+    throw IoError(path_, dataset + " is not [sources, bands, " + std::to_string(n) + "]");
+  std::vector<float> values(bands_.size() * n);
+  file_.read_rows(dataset, source, 1, std::span(values));
+  return values;
+}
+
+std::vector<float> LuminanceDatabase::cell_irradiance(std::size_t source) const {
+  return of_source("/cells/total", source, n_cells_);
+}
+
+std::vector<float> LuminanceDatabase::point_irradiance(std::size_t source) const {
+  return of_source("/points/total", source, zone_.points.size());
+}
+
+}  // namespace dim

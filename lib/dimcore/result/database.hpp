@@ -1,0 +1,70 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/hdf5_file.hpp"
+#include "base/job.hpp"
+#include "photometry/opening.hpp"
+#include "scene/zone.hpp"
+#include "transport/simulate.hpp"
+
+namespace dim {
+
+inline constexpr int kLumVersion = 1;
+
+/// A luminaire as a picture needs it: where its opening is and how bright it looks.
+struct ShownLuminaire {
+  std::string name;
+  std::size_t source = 0;  ///< index into the sources
+  Vec3 at{0.0}, c0{1, 0, 0}, c90{0, 1, 0}, aim{0, 0, -1};
+  LuminousOpening opening;
+  std::size_t photometry = 0;  ///< index into LuminanceDatabase::photometry
+  double factor = 1.0;
+};
+
+/// Mean intensity over C at each degree of gamma from 0 to 180, cd.
+using MeanIntensity = std::vector<double>;
+
+/// Writes a luminance database (`.lum`), whole or not at all; `-` is standard output. Layout: docs/formats.md.
+/// @param rays_hash  of the network the solution was made on
+/// @returns the content's hash
+/// @throws IoError, Interrupted
+std::string save_lum(const std::string& path, const Zone& zone, const Cells& cells, const Lights& lights,
+                     const Solution& solution, const std::string& rays_hash, const Job& job = {});
+
+/// An opened luminance database. What is small is read at once, irradiances as asked for.
+class LuminanceDatabase {
+ public:
+  /// @throws IoError  missing, damaged, foreign or newer file
+  explicit LuminanceDatabase(const std::string& path, const Job& job = {});
+
+  const Zone& zone() const { return zone_; }
+  const Bands& bands() const { return bands_; }
+  const std::vector<Source>& sources() const { return sources_; }
+  const std::vector<ShownLuminaire>& luminaires() const { return luminaires_; }
+  const std::vector<MeanIntensity>& photometry() const { return photometry_; }
+  const std::string& hash() const { return file_.hash(); }
+  const std::string& rays_hash() const { return rays_hash_; }
+  std::size_t n_cells() const { return n_cells_; }
+
+  /// Total irradiance of all cells from one source, W/m2. [n_bands, n_cells]
+  std::vector<float> cell_irradiance(std::size_t source) const;
+  /// Total irradiance of all measuring points from one source, W/m2. [n_bands, n_points]
+  std::vector<float> point_irradiance(std::size_t source) const;
+
+ private:
+  std::vector<float> of_source(const std::string& dataset, std::size_t source, std::size_t n) const;
+
+  std::string path_;
+  Hdf5Reader file_;
+  Zone zone_;
+  Bands bands_;
+  std::vector<Source> sources_;
+  std::vector<ShownLuminaire> luminaires_;
+  std::vector<MeanIntensity> photometry_;
+  std::string rays_hash_;
+  std::size_t n_cells_ = 0;
+};
+
+}  // namespace dim

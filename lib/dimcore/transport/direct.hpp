@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include "base/job.hpp"
+#include "geometry/ray_caster.hpp"
+#include "network/cells.hpp"
+#include "scene/lights.hpp"
+#include "scene/zone.hpp"
+
+namespace dim {
+
+/// Direct illuminance of every cell (area average) and measuring point from every source (a sum of
+/// luminaires), visibility included.
+///
+/// Integrates I(direction) cos(theta) / r^2 over cell x luminous opening (equation 8 of the paper for each pair
+/// of points): Gauss points, two an axis; the pair is halved along its longest side wherever it is large against
+/// its distance, and where the points disagree on visibility or lie on both sides of a horizon. Where samples
+/// lie depends on geometry alone, never on how much light they carry.
+struct DirectLight {
+  std::vector<double> cell_lx;   ///< [n_cells, n_sources]
+  std::vector<double> point_lx;  ///< [n_points, n_sources]
+};
+
+/// @param source_of  [n_luminaires] the source that each luminaire is summed into, < n_sources
+/// @throws Interrupted
+DirectLight direct_light(const Zone& zone, const Cells& cells, const Lights& lights,
+                         const std::vector<std::size_t>& source_of, std::size_t n_sources, const Job& job);
+
+/// What becomes of a luminaire's light on its first flight, as shares of its flux.
+struct FirstFlight {
+  double received = 0.0;  ///< on the lit sides of the zone's surfaces
+  double escaped = 0.0;   ///< out of the zone
+  double lost = 0.0;      ///< on backs of surfaces, on luminaire bodies and on external obstructions
+  double flux_lm = 0.0;   ///< of the sampled distribution, times the luminaire's factor
+};
+
+/// Sends `n_rays` low-discrepancy rays from every luminaire's opening over the whole sphere, weighted by
+/// intensity. Shares no code with `direct_light` but the ray caster, so that the two check each other.
+std::vector<FirstFlight> first_flights(const Zone& zone, const Lights& lights, int n_rays, const Job& job);
+
+/// The zone's surfaces, then the bodies of luminaires that have one, as plates for a ray caster.
+class Obstructions {
+ public:
+  Obstructions(const Zone& zone, const Lights& lights);
+  const RayCaster& caster() const { return caster_; }
+
+ private:
+  std::vector<Polygon> bodies_;
+  RayCaster caster_;
+};
+
+}  // namespace dim

@@ -1,0 +1,235 @@
+#include "transport/simulate.hpp"
+
+#include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "transport/direct.hpp"
+
+namespace dim {
+namespace {
+
+constexpr std::size_t kBlockBytes = 32 * 4 * sizeof(double);  // a block of columns being solved
+constexpr int kProbeRays = 1024;    // to notice a luminaire in the wrong place
+constexpr int kBalanceRays = 32768;  // to say what share of its light leaves the zone
+
+void check_finishes(const Zone& zone, const Bands& bands) {
+  Problems problems;
+  for (const auto& finish : zone.finishes) {
+    if (!finish.is_diffuse())
+      problems.add({}, fmt::format("finish '{}' {}; this version models opaque diffuse finishes only", finish.name,
+                                   finish.kind == FinishKind::glazing ? "is a glazing" : "has a specular part"),
+                   fmt::format("use --finish {}=ENTRY with a diffuse entry", finish.name));
+    for (std::size_t b = 0; b < bands.size() && finish.is_diffuse(); ++b) {
+      const double rho = finish.diffuse.mean(bands.low_nm(b), bands.high_nm(b));
+      if (!(rho < 1.0))
+        problems.add({}, fmt::format("finish '{}': reflectance {} at {:.0f}-{:.0f} nm; inter-reflection needs less "
+                                     "than 1",
+                                     finish.name, rho, bands.low_nm(b), bands.high_nm(b)),
+                     "a real surface absorbs something: write for example 0.99");
+    }
+  }
+  problems.throw_if_any();
+}
+
+// Luminaires grouped into sources: same name after combining and same spectrum.
+struct Sources {
+  std::vector<Source> sources;
+  std::vector<std::size_t> of_luminaire;
+};
+
+std::string combined_name(const Luminaire& luminaire, Combine combine) {
+  if (combine == Combine::each) return luminaire.name;
+  return combine == Combine::group ? luminaire.group : "all";
+}
+
+Sources make_sources(const Lights& lights, const Bands& bands, Combine combine) {
+  Sources result;
+  for (const auto& luminaire : lights.luminaires) {
+    const auto& fitting = lights.fittings[static_cast<std::size_t>(luminaire.fitting)];
+    const BandWeights weights = band_weights(fitting.spectrum, bands);
+    const std::string name = combined_name(luminaire, combine);
+    auto found = std::find_if(result.sources.begin(), result.sources.end(), [&](const Source& source) {
+      return combine != Combine::each && source.name == name && source.weights == weights;
+    });
+    if (found == result.sources.end()) {
+      Source source;
+      source.name = name;
+      source.group = combine == Combine::all ? name : luminaire.group;
+      source.weights = weights;
+      found = result.sources.insert(result.sources.end(), std::move(source));
+    }
+    found->luminaires.push_back(luminaire.name);
+    found->flux_lm += luminaire.factor * fitting.intensity.flux_lm();
+    result.of_luminaire.push_back(static_cast<std::size_t>(found - result.sources.begin()));
+  }
+  return result;
+}
+
+// Bands in which every surface reflects alike: class of each band, and each class's reflectances.
+struct ReflectanceClasses {
+  std::vector<std::size_t> of_band;
+  std::vector<std::vector<double>> of_surface;  // [class][surface]
+};
+
+ReflectanceClasses classify(const Zone& zone, const Bands& bands) {
+  ReflectanceClasses classes;
+  for (std::size_t b = 0; b < bands.size(); ++b) {
+    std::vector<double> rho;
+    for (const auto& surface : zone.surfaces)
+      rho.push_back(zone.finishes[static_cast<std::size_t>(surface.finish)].diffuse.mean(bands.low_nm(b),
+                                                                                         bands.high_nm(b)));
+    const auto known = std::find(classes.of_surface.begin(), classes.of_surface.end(), rho);
+    classes.of_band.push_back(static_cast<std::size_t>(known - classes.of_surface.begin()));
+    if (known == classes.of_surface.end()) classes.of_surface.push_back(std::move(rho));
+  }
+  return classes;
+}
+
+// Spreads [n, n_sources] over columns class * n_sources + source.
+std::vector<double> repeat_columns(const std::vector<double>& values, std::size_t n_sources, std::size_t n_classes) {
+  if (n_classes == 1) return values;
+  const std::size_t n = n_sources ? values.size() / n_sources : 0;
+  std::vector<double> result(values.size() * n_classes);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t q = 0; q < n_classes; ++q)
+      std::copy_n(&values[i * n_sources], n_sources, &result[(i * n_classes + q) * n_sources]);
+  }
+  return result;
+}
+
+class Assembly {
+ public:
+  Assembly(Solution& solution, const ReflectanceClasses& classes) : solution_(solution), classes_(classes) {}
+
+  // From [n, columns] in lux units to [source, band, n] in W/m2.
+  std::vector<float> spread(const std::vector<double>& columns, std::size_t n, std::size_t n_columns,
+                            bool by_class) const {
+    const std::size_t n_sources = solution_.sources.size(), n_bands = solution_.bands.size();
+    std::vector<float> result(n_sources * n_bands * n);
+    tbb::parallel_for(std::size_t{0}, n_sources * n_bands, [&](std::size_t row) {
+      const std::size_t s = row / n_bands, b = row % n_bands;
+      const double watts = band_watts_per_lumen(s, b);
+      const std::size_t column = (by_class ? classes_.of_band[b] * n_sources : 0) + s;
+      for (std::size_t i = 0; i < n; ++i)
+        result[row * n + i] = static_cast<float>(columns[i * n_columns + column] * watts);
+    });
+    return result;
+  }
+
+  double band_watts_per_lumen(std::size_t s, std::size_t b) const {
+    const auto& weights = solution_.sources[s].weights;
+    return weights.share[b] / weights.efficacy_lm_W;
+  }
+
+  void add_energy(const std::vector<ColumnReport>& columns, const std::vector<FirstFlight>& flights) {
+    const std::size_t n_sources = solution_.sources.size();
+    for (std::size_t s = 0; s < n_sources; ++s) {
+      Source& source = solution_.sources[s];
+      for (std::size_t b = 0; b < solution_.bands.size(); ++b) {
+        const auto& column = columns[classes_.of_band[b] * n_sources + s];
+        const double watts = band_watts_per_lumen(s, b);
+        EnergyBalance energy;
+        energy.emitted_W = source.flux_lm * watts;
+        energy.absorbed_W = column.absorbed * watts;
+        energy.escaped_W = (column.escaped + flights[s].escaped * source.flux_lm) * watts;
+        energy.lost_W = flights[s].lost * source.flux_lm * watts;
+        energy.dropped_W = column.dropped * watts;
+        const double accounted = energy.absorbed_W + energy.escaped_W + energy.lost_W + energy.dropped_W;
+        energy.imbalance = energy.emitted_W > 0.0 ? 1.0 - accounted / energy.emitted_W : 0.0;
+        source.energy.push_back(energy);
+        source.iterations = std::max(source.iterations, column.iterations);
+        source.residual = std::max(source.residual, column.residual);
+        source.error_bound = std::max(source.error_bound, column.error_bound);
+      }
+    }
+  }
+
+ private:
+  Solution& solution_;
+  const ReflectanceClasses& classes_;
+};
+
+void check_size(std::size_t n_cells, std::size_t n_points, std::size_t n_sources, std::size_t n_classes,
+                std::size_t n_bands, const Job& job) {
+  constexpr double kGiB = 1024.0 * 1024.0 * 1024.0;
+  const std::size_t columns = n_sources * n_classes;
+  const std::size_t needed = (n_cells + n_points) * (columns * 3 * sizeof(double) + n_sources * n_bands * 2 * sizeof(float) +
+                                                     kBlockBytes);
+  if (needed > job.memory_limit_bytes)
+    throw LimitError(fmt::format("{} cells and points x {} sources x {} bands need {:.2f} GiB, {:.2f} GiB are free; use "
+                                 "--combine group, fewer --bands or a larger --cell",
+                                 n_cells + n_points, n_sources, n_bands, static_cast<double>(needed) / kGiB,
+                                 static_cast<double>(job.memory_limit_bytes) / kGiB));
+}
+
+// The first flights of each source, luminaires weighted by flux; the long count only where light can leave.
+std::vector<FirstFlight> source_flights(const Zone& zone, const Network& network, const Lights& lights,
+                                        const Sources& sources, const Job& job, Warnings& warnings) {
+  const bool bodies = std::any_of(lights.luminaires.begin(), lights.luminaires.end(),
+                                  [](const Luminaire& luminaire) { return luminaire.body; });
+  const auto probes = first_flights(zone, lights, kProbeRays, job);
+  bool leaves = network.is_open() || bodies;
+  for (std::size_t l = 0; l < probes.size(); ++l) {
+    const auto& luminaire = lights.luminaires[l];
+    const double off = probes[l].escaped + probes[l].lost;
+    leaves = leaves || off > 0.0;
+    if (off > 0.5)
+      warnings.push_back({luminaire.place,
+                          fmt::format("luminaire '{}': {:.0f} % of its light never reaches the lit side of a surface; it "
+                                      "seems to be outside the zone or inside an obstruction",
+                                      luminaire.name, 100.0 * off),
+                          "check 'at' and 'aim'"});
+  }
+  std::vector<FirstFlight> flights(sources.sources.size());
+  if (!leaves) return flights;
+  const auto counted = first_flights(zone, lights, kBalanceRays, job);
+  for (std::size_t l = 0; l < counted.size(); ++l) {
+    const std::size_t s = sources.of_luminaire[l];
+    const double weight = sources.sources[s].flux_lm > 0.0 ? counted[l].flux_lm / sources.sources[s].flux_lm : 0.0;
+    flights[s].escaped += weight * counted[l].escaped;
+    flights[s].lost += weight * counted[l].lost;
+  }
+  return flights;
+}
+
+}  // namespace
+
+Solution simulate(const Zone& zone, const Cells& cells, const Network& network, const Lights& lights,
+                  const SimulationOptions& options, const Job& job, Warnings& warnings) {
+  check_finishes(zone, options.bands);
+  Sources sources = make_sources(lights, options.bands, options.combine);
+  const ReflectanceClasses classes = classify(zone, options.bands);
+  const std::size_t n_sources = sources.sources.size(), n_classes = classes.of_surface.size();
+  const std::size_t n_columns = n_sources * n_classes;
+  check_size(cells.size(), zone.points.size(), n_sources, n_classes, options.bands.size(), job);
+
+  const auto flights = source_flights(zone, network, lights, sources, job, warnings);
+  const DirectLight direct = direct_light(zone, cells, lights, sources.of_luminaire, n_sources, job);
+  std::vector<double> reflectance(zone.surfaces.size() * n_columns);
+  for (std::size_t surface = 0; surface < zone.surfaces.size(); ++surface) {
+    for (std::size_t c = 0; c < n_columns; ++c)
+      reflectance[surface * n_columns + c] = classes.of_surface[c / n_sources][surface];
+  }
+  const Gathered gathered =
+      gather(network, cells, repeat_columns(direct.cell_lx, n_sources, n_classes),
+             repeat_columns(direct.point_lx, n_sources, n_classes), reflectance, n_columns, options.gather, job);
+
+  Solution solution;
+  solution.bands = options.bands;
+  solution.sources = std::move(sources.sources);
+  solution.n_cells = cells.size();
+  solution.n_points = zone.points.size();
+  solution.n_reflectance_classes = n_classes;
+  Assembly assembly(solution, classes);
+  solution.cell_direct = assembly.spread(direct.cell_lx, cells.size(), n_sources, false);
+  solution.point_direct = assembly.spread(direct.point_lx, zone.points.size(), n_sources, false);
+  solution.cell_total = assembly.spread(gathered.cell, cells.size(), n_columns, true);
+  solution.point_total = assembly.spread(gathered.point, zone.points.size(), n_columns, true);
+  assembly.add_energy(gathered.columns, flights);
+  return solution;
+}
+
+}  // namespace dim

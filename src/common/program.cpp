@@ -1,0 +1,195 @@
+#include "common/program.hpp"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <tbb/global_control.h>
+#include <tbb/version.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "base/atomic_file.hpp"
+#include "base/version.hpp"
+#include "common/progress_line.hpp"
+
+namespace dim {
+namespace {
+
+std::atomic<bool> stop_requested{false};
+
+void on_signal(int signal) {
+  // A second Ctrl-C does not wait for the program to notice the first.
+  if (stop_requested.exchange(true)) _exit(128 + signal);
+}
+
+void install_signal_handlers() {
+  struct sigaction action = {};
+  action.sa_handler = on_signal;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  // A reader that went away and a file-size limit come back as errors of write().
+  signal(SIGPIPE, SIG_IGN);
+  signal(SIGXFSZ, SIG_IGN);
+}
+
+constexpr const char* kExitCodes =
+    "Exit status: 0 done, 1 result written but a requested check failed, 2 command line wrong,\n"
+    "3 input wrong, 4 file or system, 5 internal error, 130 interrupted.";
+
+std::string version_text(const std::string& name, const std::string& formats) {
+  return fmt::format("{} {}\ncompiler {} {}\nlibraries fmt {}.{}, oneTBB {}, nlohmann-json {}.{}\n{}", name,
+                     version(),
+#ifdef __clang__
+                     "clang",
+#else
+                     "gcc",
+#endif
+                     __VERSION__, FMT_VERSION / 10000, FMT_VERSION / 100 % 100, TBB_VERSION_STRING,
+                     NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, formats);
+}
+
+}  // namespace
+
+struct ThreadLimit {
+  tbb::global_control control;
+  explicit ThreadLimit(int n)
+      : control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(n)) {}
+};
+
+struct StageClock {
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start = Clock::now();
+  Clock::time_point stage_start = start;
+  std::string stage;
+  static double seconds(Clock::time_point since) {
+    return std::chrono::duration<double>(Clock::now() - since).count();
+  }
+};
+
+Program::Program(std::string name, const std::string& description, const std::string& example,
+                 const std::string& formats)
+    : name_(std::move(name)),
+      app_(description, name_),
+      stats_(std::make_shared<nlohmann::json>()),
+      clock_(std::make_shared<StageClock>()) {
+  app_.footer(fmt::format("Example:\n{}\n\n{}", example, kExitCodes));
+  app_.set_version_flag("--version", version_text(name_, formats), "Print version, compiler and file formats");
+  app_.set_help_flag("--help,-h", "Print this help");
+  app_.get_formatter()->column_width(34);
+  app_.option_defaults()->always_capture_default();
+}
+
+void Program::add_common_options(CLI::App& app) {
+  app.add_flag("--quiet,-q", quiet_, "No messages but errors")->group("Messages");
+  app.add_flag("--verbose,-v", verbose_, "Say what is done")->group("Messages");
+  app.add_option("--progress", progress_, "Progress bar: auto, always or never")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->group("Messages");
+  app.add_option("--threads,-j", threads_, "Threads; 0 = all cores")->check(CLI::Range(0, 1024))->group("Running");
+  app.add_option("--stats", stats_path_, "Write counts, seconds, memory and energy as JSON to this file")
+      ->group("Running");
+}
+
+void Program::apply_options() {
+  if (threads_ > 0) thread_limit_ = std::make_shared<ThreadLimit>(threads_);
+  const bool terminal = isatty(STDERR_FILENO) != 0;
+  if (!quiet_ && progress_ != "never" && (progress_ == "always" || terminal))
+    line_ = std::make_shared<ProgressLine>(name_, progress_ == "always");
+}
+
+int Program::run(int argc, char** argv, const std::function<Exit()>& work) {
+  try {
+    app_.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    return app_.exit(success);
+  } catch (const CLI::ParseError& error) {
+    return fail(Exit::usage, fmt::format("{}\n        see '{} --help'", error.what(), name_));
+  }
+  install_signal_handlers();
+  int status = 0;
+  try {
+    apply_options();
+    status = static_cast<int>(work());
+    stage("");
+    write_stats();
+    return status;
+  } catch (const UsageError& error) {
+    return fail(Exit::usage, error.what());
+  } catch (const InputError& error) {
+    return fail(error);
+  } catch (const IoError& error) {
+    return fail(Exit::system, error.what());
+  } catch (const LimitError& error) {
+    return fail(Exit::system, error.what());
+  } catch (const Interrupted&) {
+    return fail(Exit::interrupted, "interrupted; nothing was written");
+  } catch (const std::bad_alloc&) {
+    return fail(Exit::system, "out of memory; use larger cells, fewer patches or fewer sources");
+  } catch (const std::exception& error) {
+    return fail(Exit::internal, fmt::format("internal error, please report: {}", error.what()));
+  }
+}
+
+int Program::fail(Exit status, const std::string& text) const {
+  if (line_) line_->clear();
+  std::cerr << name_ << ": error: " << text << '\n';
+  return static_cast<int>(status);
+}
+
+int Program::fail(const InputError& error) const {
+  if (line_) line_->clear();
+  for (const auto& problem : error.problems()) std::cerr << name_ << ": error: " << to_string(problem) << '\n';
+  if (error.n_found() > error.problems().size())
+    std::cerr << name_ << ": error: and " << error.n_found() - error.problems().size() << " more\n";
+  return static_cast<int>(Exit::input);
+}
+
+Job Program::job() {
+  Job job;
+  job.stop = &stop_requested;
+  job.memory_limit_bytes = free_memory_bytes();
+  if (line_) job.progress = [line = line_](const char* stage, double fraction) { line->show(stage, fraction); };
+  return job;
+}
+
+void Program::say(const std::string& text) const {
+  if (quiet_) return;
+  if (line_) line_->clear();
+  std::cerr << name_ << ": " << text << '\n';
+}
+
+void Program::say_verbose(const std::string& text) const {
+  if (verbose_) say(text);
+}
+
+void Program::warn(const Warnings& warnings) const {
+  if (quiet_) return;
+  if (line_) line_->clear();
+  for (const auto& warning : warnings) std::cerr << name_ << ": warning: " << to_string(warning) << '\n';
+}
+
+void Program::stage(const std::string& name) {
+  if (!clock_->stage.empty()) {
+    const double seconds = StageClock::seconds(clock_->stage_start);
+    (*stats_)["seconds"][clock_->stage] = seconds;
+    say_verbose(fmt::format("{}: {:.3f} s", clock_->stage, seconds));
+  }
+  if (line_) line_->clear();
+  clock_->stage = name;
+  clock_->stage_start = StageClock::Clock::now();
+}
+
+void Program::write_stats() {
+  if (stats_path_.empty()) return;
+  auto& stats = *stats_;
+  stats["program"] = name_;
+  stats["version"] = version();
+  stats["seconds"]["total"] = StageClock::seconds(clock_->start);
+  stats["peak_memory_bytes"] = peak_memory_bytes();
+  write_file(stats_path_, stats.dump(2) + "\n");
+}
+
+}  // namespace dim

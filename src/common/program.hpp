@@ -1,0 +1,81 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "base/job.hpp"
+
+namespace dim {
+
+/// Exit status, the same in all four programs.
+enum class Exit { done = 0, check_failed = 1, usage = 2, input = 3, system = 4, internal = 5, interrupted = 130 };
+
+/// What the programs have in common: options of the same names, messages, progress, statistics, exit status.
+class Program {
+ public:
+  /// @param example  a working command line for the end of --help
+  Program(std::string name, const std::string& description, const std::string& example,
+          const std::string& formats);
+
+  CLI::App& app() { return app_; }
+
+  /// Adds --quiet, --verbose, --threads, --progress and --stats to an app or subcommand.
+  void add_common_options(CLI::App& app);
+
+  /// Parses and runs `work`, whose result is the exit status; turns errors into messages and exit status.
+  int run(int argc, char** argv, const std::function<Exit()>& work);
+
+  /// Progress, interruption and memory limit for the library.
+  Job job();
+
+  /// A line on stderr unless --quiet; `verbose` only with --verbose.
+  void say(const std::string& text) const;
+  void say_verbose(const std::string& text) const;
+  void warn(const Warnings& warnings) const;
+
+  /// Starts the clock of a stage, ending the one before.
+  void stage(const std::string& name);
+  /// What --stats writes, to be added to.
+  nlohmann::json& stats() { return *stats_; }
+  bool quiet() const { return quiet_; }
+
+ private:
+  void apply_options();
+  void write_stats();
+  int fail(Exit status, const std::string& text) const;
+  int fail(const InputError& error) const;
+
+  std::string name_;
+  CLI::App app_;
+  bool quiet_ = false;
+  bool verbose_ = false;
+  int threads_ = 0;
+  std::string progress_ = "auto";
+  std::string stats_path_;
+  std::shared_ptr<nlohmann::json> stats_;
+  std::shared_ptr<struct ProgressLine> line_;
+  std::shared_ptr<struct ThreadLimit> thread_limit_;
+  std::shared_ptr<struct StageClock> clock_;
+};
+
+/// Peak resident memory of this process so far, bytes.
+std::size_t peak_memory_bytes();
+/// Memory that can still be had, bytes.
+std::size_t free_memory_bytes();
+
+/// @throws UsageError  when `path` is "-" and standard output is a terminal
+void refuse_terminal(const std::string& path, const std::string& what);
+
+/// The command line asks for something it must not.
+class UsageError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// Folder of the running executable.
+std::string executable_folder();
+
+}  // namespace dim

@@ -1,0 +1,86 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "dimdis/options.hpp"
+#include "network/network_storage.hpp"
+
+namespace dim {
+namespace {
+
+void warn_about_points(const Program& program, const Zone& zone, const Network& network) {
+  Warnings warnings;
+  for (const auto& set : zone.point_sets) {
+    std::size_t n_inside = 0;
+    for (std::size_t p = set.first; p < set.first + set.count; ++p) n_inside += network.point_back_fraction[p] > 0.5;
+    if (n_inside > 0)
+      warnings.push_back({{},
+                          fmt::format("'{}': {} of {} points see mostly the backs of surfaces; they seem to lie inside an "
+                                      "obstruction or outside the zone",
+                                      set.name, n_inside, set.count),
+                          "move the points or the plane"});
+  }
+  program.warn(warnings);
+}
+
+}  // namespace
+
+DiscretiseCommand::DiscretiseCommand(Program& program) : program_(program) {
+  auto& app = program.app();
+  add_zone_options(app, input_, false);
+  app.add_option("-o,--output", output_, "Ray network to write, - for standard output")->type_name("FILE");
+  app.add_option("--patches", patches_, "Hemisphere patches of a cell: AxB (slices x sectors) or a total")
+      ->group("Accuracy");
+  app.add_option("--point-patches", point_patches_, "Hemisphere patches of a measuring point")->group("Accuracy");
+  app.add_option("--sampling", sampling_, "Where rays lie: stratified, or centre (cell centre through patch centroid)")
+      ->check(CLI::IsMember({"stratified", "centre"}))
+      ->group("Accuracy");
+  app.add_flag("--family", family_, "Join cells that no ray hits to the ray of their patch")->group("Accuracy");
+  app.add_option("--seed", seed_, "Number of the pattern of rays")->group("Accuracy");
+  program.add_common_options(app);
+}
+
+Exit DiscretiseCommand::run() {
+  if (input_.path.empty()) throw UsageError("no zone file given; see 'dimdis --help'");
+  if (output_.empty()) throw UsageError("no output given; use -o ROOM.rays, or -o - for a pipe");
+  refuse_terminal(output_, "a ray network");
+  NetworkOptions options;
+  options.patches = parse_patches(patches_, "--patches");
+  options.point_patches = parse_patches(point_patches_, "--point-patches");
+  options.sampling = sampling_ == "centre" ? Sampling::centre : Sampling::stratified;
+  options.family = family_;
+  options.seed = seed_;
+
+  program_.stage("zone");
+  const Zone zone = read_zone(program_, input_);
+  program_.stage("cells");
+  const Cells cells(zone);
+  program_.stage("rays");
+  const Job job = program_.job();
+  const Network network = build_network(zone, cells, options, job);
+  program_.stage("write");
+  const std::string hash = save_rays(output_, zone, cells, network, job);
+  program_.stage("");
+
+  warn_about_points(program_, zone, network);
+  const std::size_t n_rays = network.sinks.n_rays() + network.point_sinks.n_rays();
+  program_.say_verbose(fmt::format("{} surfaces, {} cells x {} patches, {} points x {} patches: {} rays",
+                                   zone.surfaces.size(), cells.size(), options.patches.n_patches(), zone.points.size(),
+                                   options.point_patches.n_patches(), n_rays));
+  auto& stats = program_.stats();
+  stats["zone"] = zone.name;
+  stats["surfaces"] = zone.surfaces.size();
+  stats["cells"] = cells.size();
+  stats["patches"] = options.patches.n_patches();
+  stats["points"] = zone.points.size();
+  stats["point_patches"] = options.point_patches.n_patches();
+  stats["rays"] = n_rays;
+  stats["escaped_rays"] = network.n_escaped_rays;
+  stats["back_rays"] = network.n_back_rays;
+  stats["network_imbalance"] = network.imbalance;
+  stats["network_bytes"] = network.sinks.n_bytes() + network.point_sinks.n_bytes();
+  stats["output_hash"] = hash;
+  return Exit::done;
+}
+
+}  // namespace dim

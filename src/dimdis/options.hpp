@@ -1,0 +1,63 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/program.hpp"
+#include "scene/zone.hpp"
+
+namespace dim {
+
+/// What every command of dimdis needs to read a zone.
+struct ZoneInput {
+  std::string path;
+  std::vector<std::string> overrides;
+  std::string database;
+  double cell_m = 0.0;
+};
+
+void add_zone_options(CLI::App& app, ZoneInput& input, bool required);
+
+/// Reads and checks the zone; warnings are printed.
+Zone read_zone(Program& program, const ZoneInput& input);
+
+/// dimdis ZONE -o ROOM.rays
+class DiscretiseCommand {
+ public:
+  explicit DiscretiseCommand(Program& program);
+  Exit run();
+
+ private:
+  Program& program_;
+  ZoneInput input_;
+  std::string output_;
+  std::string patches_ = "16x32";
+  std::string point_patches_ = "32x64";
+  std::string sampling_ = "stratified";
+  bool family_ = false;
+  std::uint64_t seed_ = 1;
+};
+
+/// dimdis check | areas | viewfactors | draw ZONE
+class GeometryCommands {
+ public:
+  explicit GeometryCommands(Program& program);
+  /// True when one of them was asked for; its exit status in `status`.
+  bool run(Exit& status);
+
+ private:
+  Exit check();
+  Exit areas();
+  Exit view_factors();
+  Exit draw();
+  CLI::App* add(const std::string& name, const std::string& what, const std::string& example);
+
+  Program& program_;
+  ZoneInput input_;
+  std::string output_ = "-";
+  std::string view_;
+  int rays_ = 0;
+  CLI::App *check_, *areas_, *view_factors_, *draw_;
+};
+
+}  // namespace dim

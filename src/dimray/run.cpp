@@ -1,0 +1,168 @@
+#include "dimray/run.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/input_file.hpp"
+#include "common/database_option.hpp"
+#include "database/surface_entry.hpp"
+#include "result/database.hpp"
+#include "scene/lights_reader.hpp"
+
+namespace dim {
+namespace {
+
+constexpr double kGoodBalance = 2e-3;
+
+// NAME=ENTRY, or NAME=0.7 for a grey.
+void replace_finish(Zone& zone, const std::string& text, const DatabaseSearch& search) {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw UsageError("--finish '" + text + "' is not NAME=ENTRY");
+  const std::string name = text.substr(0, equals), entry = text.substr(equals + 1);
+  std::vector<std::string> names;
+  for (auto& finish : zone.finishes) {
+    names.push_back(finish.name);
+    if (finish.name != name) continue;
+    char* end = nullptr;
+    const double grey = std::strtod(entry.c_str(), &end);
+    if (!entry.empty() && *end == '\0') {
+      if (!(grey >= 0.0 && grey <= 1.0)) throw UsageError("--finish '" + text + "': a reflectance is within 0..1");
+      finish = Finish{};
+      finish.diffuse = SpectralCurve(grey);
+      finish.source = "command line";
+    } else {
+      finish = find_surface_entry(search, entry);
+    }
+    finish.name = name;
+    return;
+  }
+  throw InputError({{}, "--finish: the zone has no finish '" + name + "'", did_you_mean(name, names)});
+}
+
+}  // namespace
+
+SolveCommand::SolveCommand(Program& program) : program_(program) {
+  auto& app = program.app();
+  app.add_option("ROOM.rays", rays_, "Ray network made by dimdis, - for standard input")->required()->type_name("");
+  app.add_option("LIGHTS.toml", lights_, "Lights file, - for standard input")->required()->type_name("");
+  app.add_option("-o,--output", output_, "Luminance database to write, - for standard output")
+      ->required()
+      ->type_name("FILE");
+  app.add_option("--set", overrides_, "Override a value of the lights file: KEY=VALUE, repeatable")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false)
+      ->group("Input");
+  app.add_option("--finish", finishes_, "Use another database entry, or a grey 0..1, for a finish of the zone")
+      ->type_name("NAME=ENTRY")
+      ->allow_extra_args(false)
+      ->group("Input");
+  add_database_option(app, database_);
+  app.add_option("--combine", combine_, "What is solved and stored apart: each luminaire, group, or all as one")
+      ->check(CLI::IsMember({"each", "group", "all"}))
+      ->group("Accuracy");
+  app.add_option("--tolerance", tolerance_, "Stop when no cell changes by more than this share of the mean")
+      ->check(CLI::Range(1e-12, 0.5))
+      ->group("Accuracy");
+  app.add_option("--bands", n_bands_, "Number of equal wavebands over 380-780 nm")
+      ->check(CLI::Range(1, 400))
+      ->group("Accuracy");
+  program.add_common_options(app);
+}
+
+SimulationOptions SolveCommand::options() const {
+  SimulationOptions options;
+  options.bands = Bands::uniform(n_bands_);
+  options.combine = combine_ == "each" ? Combine::each : (combine_ == "group" ? Combine::group : Combine::all);
+  options.gather.tolerance = tolerance_;
+  return options;
+}
+
+Lights SolveCommand::lights(const Zone& zone, const DatabaseSearch& search) {
+  constexpr std::size_t kMaxLightsBytes = 64 << 20;
+  Warnings warnings;
+  const std::string text = read_text_file(lights_, kMaxLightsBytes, program_.job());
+  Lights lights = read_lights(text, lights_ == "-" ? "<stdin>" : lights_, overrides_, zone, search, warnings);
+  program_.warn(warnings);
+  return lights;
+}
+
+Exit SolveCommand::run() {
+  if (rays_ == "-" && lights_ == "-") throw UsageError("only one of the two inputs can be standard input");
+  refuse_terminal(output_, "a luminance database");
+  program_.stage("read");
+  RaysFile rays = load_rays(rays_, program_.job());
+  const DatabaseSearch search = database_search(database_, lights_);
+  for (const auto& finish : finishes_) replace_finish(rays.zone, finish, search);
+  const Lights all_lights = lights(rays.zone, search);
+  const Cells cells(rays.zone);
+  if (cells.size() != rays.network.sinks.n_rows())
+    throw IoError(rays_, "its network does not fit its zone; make it again with this version of dimdis");
+
+  program_.stage("solve");
+  const Job job = program_.job();
+  Warnings warnings;
+  const Solution solution = simulate(rays.zone, cells, rays.network, all_lights, options(), job, warnings);
+  program_.warn(warnings);
+  program_.stage("write");
+  const std::string hash = save_lum(output_, rays.zone, cells, all_lights, solution, rays.hash, job);
+  program_.stage("");
+  return report(rays, solution, hash);
+}
+
+Exit SolveCommand::report(const RaysFile& rays, const Solution& solution, const std::string& hash) {
+  EnergyBalance sum;
+  double flux_lm = 0.0, bound = 0.0, residual = 0.0, worst = 0.0;
+  int iterations = 0;
+  auto& stats = program_.stats();
+  stats["sources"] = nlohmann::json::array();
+  for (const auto& source : solution.sources) {
+    flux_lm += source.flux_lm;
+    bound = std::max(bound, source.error_bound);
+    residual = std::max(residual, source.residual);
+    iterations = std::max(iterations, source.iterations);
+    for (const auto& e : source.energy) {
+      sum.emitted_W += e.emitted_W;
+      sum.absorbed_W += e.absorbed_W;
+      sum.escaped_W += e.escaped_W;
+      sum.lost_W += e.lost_W;
+      sum.dropped_W += e.dropped_W;
+      worst = std::max(worst, std::abs(e.imbalance));
+    }
+    stats["sources"].push_back({{"name", source.name},
+                                {"flux_lm", source.flux_lm},
+                                {"imbalance", source.energy.empty() ? 0.0 : source.energy[0].imbalance},
+                                {"error_bound", source.error_bound}});
+  }
+  const double scale = sum.emitted_W > 0.0 ? 100.0 / sum.emitted_W : 0.0;
+  const double imbalance =
+      1e-2 * scale * (sum.emitted_W - sum.absorbed_W - sum.escaped_W - sum.lost_W - sum.dropped_W);
+  program_.say(fmt::format("{} sources, {:.6g} lm; absorbed {:.3f} %, escaped {:.3f} %, lost {:.3f} %, dropped {:.4f} %, "
+                           "imbalance {:+.4f} % (worst source {:.4f} %)",
+                           solution.sources.size(), flux_lm, sum.absorbed_W * scale, sum.escaped_W * scale,
+                           sum.lost_W * scale, sum.dropped_W * scale, 100.0 * imbalance, 100.0 * worst));
+  program_.say(fmt::format("inter-reflection cut after {} iterations, error at most {:.2g} % of a source's mean",
+                           iterations, 100.0 * bound));
+  stats["zone"] = rays.zone.name;
+  stats["cells"] = solution.n_cells;
+  stats["points"] = solution.n_points;
+  stats["bands"] = solution.bands.size();
+  stats["reflectance_classes"] = solution.n_reflectance_classes;
+  stats["iterations"] = iterations;
+  stats["residual"] = residual;
+  stats["error_bound"] = bound;
+  stats["energy"] = {{"emitted_W", sum.emitted_W},   {"absorbed_W", sum.absorbed_W}, {"escaped_W", sum.escaped_W},
+                     {"lost_W", sum.lost_W},         {"dropped_W", sum.dropped_W},   {"imbalance", imbalance},
+                     {"worst_source_imbalance", worst}};
+  stats["input_hash"] = rays.hash;
+  stats["output_hash"] = hash;
+  if (residual > tolerance_ || std::abs(imbalance) > kGoodBalance) {
+    program_.say(residual > tolerance_ ? "the accuracy asked for was not reached"
+                                       : "the energy balance is open by more than 0.2 %; use a smaller --cell");
+    return Exit::check_failed;
+  }
+  return Exit::done;
+}
+
+}  // namespace dim

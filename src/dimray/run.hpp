@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/program.hpp"
+#include "database/search.hpp"
+#include "network/network_storage.hpp"
+#include "transport/simulate.hpp"
+
+namespace dim {
+
+/// dimray ROOM.rays LIGHTS.toml -o ROOM.lum
+class SolveCommand {
+ public:
+  explicit SolveCommand(Program& program);
+  Exit run();
+
+ private:
+  SimulationOptions options() const;
+  Lights lights(const Zone& zone, const DatabaseSearch& search);
+  Exit report(const RaysFile& rays, const Solution& solution, const std::string& hash);
+
+  Program& program_;
+  std::string rays_;
+  std::string lights_;
+  std::string output_;
+  std::vector<std::string> overrides_;
+  std::vector<std::string> finishes_;
+  std::string database_;
+  std::string combine_ = "each";
+  double tolerance_ = 1e-4;
+  int n_bands_ = 1;
+};
+
+}  // namespace dim
