@@ -1,3 +1,6 @@
+#include <filesystem>
+#include <fstream>
+
 #include "scene_support.hpp"
 
 using namespace dim;
@@ -39,7 +42,7 @@ TEST_CASE("Syntax and encoding errors have their line and column", "[scene][unit
   REQUIRE(encoding.size() == 1);
   CHECK(encoding[0].starts_with("2:"));
   CHECK(problems_of("").size() == 1);
-  CHECK(problems_of(std::string("dim = \"zone/1\"\nname = \"a\0b\"\n", 30)).size() == 1);
+  CHECK(problems_of(std::string("dim = \"zone/1\"\nname = \"a\0b\"\n", 28)).size() == 1);
 }
 
 TEST_CASE("Nesting without end is refused, not followed", "[scene][unit]") {
@@ -316,4 +319,23 @@ TEST_CASE("An empty zone and a zone of boxes alone", "[scene][unit]") {
   CHECK_FALSE(zone.closed);
   REQUIRE(warnings.size() == 1);
   CHECK(warnings[0].what == "the zone is not closed: it has no bounding surface");
+}
+
+TEST_CASE("Every file of the corpus of bad zones is refused where it says", "[scene][unit]") {
+  namespace fs = std::filesystem;
+  int n = 0;
+  for (const auto& file : fs::directory_iterator(fs::path(DIM_SOURCE_DIR) / "tests/data/scene/bad")) {
+    if (file.path().extension() != ".toml") continue;
+    INFO(file.path().filename().string());
+    std::ifstream stream(file.path(), std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    const std::string mark = "# expect ";
+    REQUIRE(text.starts_with(mark));
+    const std::string place = text.substr(mark.size(), text.find('\n') - mark.size());
+    const auto problems = problems_of(text);
+    REQUIRE_FALSE(problems.empty());
+    CHECK(problems[0].starts_with(place + (place.ends_with(":") ? "" : " ")));
+    ++n;
+  }
+  CHECK(n >= 14);
 }

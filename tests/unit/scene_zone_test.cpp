@@ -158,3 +158,113 @@ TEST_CASE("--set changes any value, also inside a finish written as a name or nu
   CHECK(zone.surfaces[0].cell_m == 0.2);
   CHECK(zone.finishes[static_cast<std::size_t>(zone.surfaces[0].finish)].diffuse.at(500) == 0.7);
 }
+
+TEST_CASE("Two surfaces of one outline back to back are a thin partition and stay", "[scene][unit]") {
+  Warnings warnings;
+  const Zone zone = read(kRoom + R"([[surface]]
+name = "front"
+finish = "wall"
+vertices = [[3,1,0],[3,2,0],[3,2,2],[3,1,2]]
+[[surface]]
+name = "rear"
+finish = "dark"
+vertices = [[3,1,0],[3,1,2],[3,2,2],[3,2,0]]
+)",
+                         {}, &warnings);
+  CHECK(area_of(zone, "front") == Approx(2));
+  CHECK(area_of(zone, "rear") == Approx(2));
+  CHECK(zone.surfaces[static_cast<std::size_t>(find(zone, "front")->twin)].name == "rear");
+  CHECK(warnings.empty());
+}
+
+TEST_CASE("Surfaces that touch back to back in part lose what they share, with a warning", "[scene][unit]") {
+  Warnings warnings;
+  const Zone zone = read(kRoom + R"([[surface]]
+name = "cupboard back"
+finish = "wall"
+vertices = [[1,0,1],[2,0,1],[2,0,2],[1,0,2]]
+)",
+                         {}, &warnings);
+  CHECK(area_of(zone, "south") == Approx(17));
+  CHECK(find(zone, "cupboard back") == nullptr);
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].what ==
+        "surface 'cupboard back' and surface 'south' touch back to back: their common 1 m2 is left out");
+}
+
+TEST_CASE("Stacked boxes lose both faces where they meet", "[scene][unit]") {
+  const Zone zone = read(kRoom + R"([[box]]
+name = "low"
+finish = "wall"
+corner = [1,1,0]
+size = [1,1,0.5]
+turn = 20
+[[box]]
+name = "high"
+finish = "wall"
+corner = [1,1,0.5]
+size = [0.5,1,0.5]
+turn = 20
+)");
+  CHECK(find(zone, "high.bottom") == nullptr);
+  CHECK(area_of(zone, "low.top") == Approx(0.5).epsilon(1e-12));
+  CHECK(area_of(zone, "floor") == Approx(23).epsilon(1e-12));
+  // The two west sides lie in one plane, one above the other: nothing is shared.
+  CHECK(area_of(zone, "high.west") == Approx(0.5).epsilon(1e-12));
+  CHECK(area_of(zone, "low.west") == Approx(0.5).epsilon(1e-12));
+}
+
+TEST_CASE("External obstructions are kept whole and bound nothing", "[scene][unit]") {
+  Warnings warnings;
+  const Zone zone = read(kRoom + R"([[surface]]
+name = "opposite"
+finish = "dark"
+outside = true
+vertices = [[-5,-20,0],[-5,-20,10],[11,-20,10],[11,-20,0]]
+[[box]]
+name = "next door"
+finish = "dark"
+outside = true
+corner = [6,0,0]
+size = [4,4,3]
+)",
+                         {}, &warnings);
+  CHECK(zone.closed);
+  CHECK(warnings.empty());
+  CHECK(find(zone, "opposite")->outside);
+  CHECK(find(zone, "next door.west")->polygon.area_m2() == Approx(12));
+  CHECK(area_of(zone, "east") == Approx(12));
+}
+
+TEST_CASE("Finishes come from the database, with keys of their own over them", "[scene][unit]") {
+  const DatabaseSearch search{{std::string(DIM_SOURCE_DIR) + "/db"}};
+  Warnings warnings;
+  std::string text = kRoom;
+  text.replace(text.find("wall = 0.5"), 10, "wall = \"paint-white-matt\"");
+  text.replace(text.find("dark = { diffuse = 0.2 }"), 24,
+               "dark = { entry = \"carpet-grey\", specular = 0.1 }");
+  const auto finish = [&](const std::vector<std::string>& overrides, std::size_t surface) {
+    const Zone zone = read_zone(text, "z.toml", overrides, 0.0, search, warnings);
+    return zone.finishes[static_cast<std::size_t>(zone.surfaces[surface].finish)];
+  };
+  CHECK(finish({}, 1).diffuse.at(555) == 0.84);
+  CHECK(finish({}, 1).name == "wall");
+  CHECK(finish({}, 1).source == "paint-white-matt");
+  CHECK(finish({}, 0).diffuse.at(555) == 0.15);
+  CHECK(finish({}, 0).specular == 0.1);
+  CHECK(finish({"finishes.wall.diffuse=0.7"}, 1).diffuse.at(555) == 0.7);
+  CHECK(finish({"finishes.wall=concrete-smooth"}, 1).diffuse.at(555) == 0.35);
+  CHECK_THROWS_WITH(finish({"finishes.wall=concrete-smoth"}, 1),
+                    Catch::Matchers::Contains("did you mean 'concrete-smooth'?"));
+}
+
+TEST_CASE("A cell size given apart replaces the file's, not a surface's own", "[scene][unit]") {
+  Warnings warnings;
+  std::string text = kRoom;
+  text.insert(text.find("finish = \"dark\""), "cell = 0.1\n");
+  const Zone zone = read_zone(text, "z.toml", {}, 0.3, {}, warnings);
+  CHECK(zone.surfaces[0].cell_m == 0.1);
+  CHECK(zone.surfaces[1].cell_m == 0.3);
+  text.erase(text.find("cell = 0.5"), 10);
+  CHECK(read_zone(text, "z.toml", {}, 0.0, {}, warnings).surfaces[1].cell_m == kDefaultCell_m);
+}

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "database/entry_file.hpp"
+#include "base/input_file.hpp"
 #include "database/toml_reader.hpp"
 
 namespace dim {
@@ -88,7 +88,7 @@ Finish find_surface_entry(const DatabaseSearch& search, const std::string& name)
     throw InputError(Problem{{},
                              fmt::format("no surface '{}' in {}", name, search.places("surfaces")),
                              did_you_mean(name, search.names("surfaces"))});
-  return read_surface_entry(read_entry_text(*path), *path, name);
+  return read_surface_entry(read_text_file(*path, kMaxTomlBytes), *path, name);
 }
 
 }  // namespace dim

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "database/entry_file.hpp"
+#include "base/input_file.hpp"
 #include "database/fitting_entry.hpp"
 #include "photometry/ies.hpp"
 #include "photometry/text_scanner.hpp"
@@ -19,7 +19,7 @@ std::string extension_of(const std::string& name) { return in_capitals(fs::path(
 }  // namespace
 
 FileLoader load_from_disk() {
-  return [](const std::string& path) { return read_entry_text(path); };
+  return [](const std::string& path) { return read_text_file(path, kMaxPhotometryBytes); };
 }
 
 FittingShelf::FittingShelf(std::string folder, const DatabaseSearch& search, const FileLoader& load,
