@@ -1,0 +1,82 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "common/program.hpp"
+#include "common/table.hpp"
+#include "result/luminous.hpp"
+
+namespace dim {
+
+/// What every command of dimout takes.
+struct DatabaseInput {
+  std::string path;
+  std::vector<std::string> mix;
+  std::string output = "-";
+  bool by_source = false;
+  bool json = false;
+};
+
+/// Adds a subcommand with ROOM.lum, --mix and the common options.
+CLI::App* add_command(Program& program, DatabaseInput& input, const std::string& name, const std::string& what,
+                      const std::string& example);
+void add_table_options(CLI::App& command, DatabaseInput& input, bool by_source);
+
+/// Calls `each` once with all sources mixed, or with --by source once a source; the name is empty for the mix.
+void for_sources(const LuminanceDatabase& database, const DatabaseInput& input,
+                 const std::function<void(const std::string& source, const Mix& mix)>& each);
+
+void write_table(const Table& table, const DatabaseInput& input);
+
+/// A column list with `source` in front where --by source asks for it.
+std::vector<std::string> columns_with_source(const DatabaseInput& input, std::vector<std::string> columns);
+
+/// info, surfaces, cells and grid.
+class TableCommands {
+ public:
+  explicit TableCommands(Program& program);
+  /// True when one of them was asked for.
+  bool run();
+
+ private:
+  void info();
+  void surfaces();
+  void cells();
+  void grid();
+  void grid_stats(const LuminanceDatabase& database, const std::vector<PointSet>& sets);
+  std::vector<PointSet> chosen_sets(const Zone& zone) const;
+
+  Program& program_;
+  DatabaseInput input_;
+  std::string plane_;
+  bool stats_ = false;
+  CLI::App *info_, *surfaces_, *cells_, *grid_;
+};
+
+/// image.
+class ImageCommand {
+ public:
+  explicit ImageCommand(Program& program);
+  bool run();
+
+ private:
+  void render();
+  View chosen_view(const Zone& zone) const;
+
+  Program& program_;
+  DatabaseInput input_;
+  std::string view_;
+  std::string size_;
+  std::string shade_ = "smooth";
+  std::string tone_ = "linear";
+  std::string quantity_ = "illuminance";
+  std::string range_;
+  bool logarithmic_ = false;
+  double white_cd_m2_ = 0.0;
+  int samples_ = 3;
+  CLI::App* image_;
+};
+
+}  // namespace dim

@@ -1,0 +1,127 @@
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "base/version.hpp"
+#include "dimout/commands.hpp"
+#include "image/render.hpp"
+#include "image/writer.hpp"
+
+namespace dim {
+namespace {
+
+std::pair<int, int> parse_size(const std::string& text) {
+  int width = 0, height = 0;
+  const auto cross = text.find('x');
+  const char *begin = text.data(), *end = begin + text.size();
+  if (cross == std::string::npos || std::from_chars(begin, begin + cross, width).ptr != begin + cross ||
+      std::from_chars(begin + cross + 1, end, height).ptr != end || width < 1 || height < 1 ||
+      width > kMaxPictureSide || height > kMaxPictureSide)
+    throw UsageError(fmt::format("--size '{}' is not WIDTHxHEIGHT within 1..{}", text, kMaxPictureSide));
+  return {width, height};
+}
+
+// LOW:HIGH, either may be left out.
+void parse_range(const std::string& text, FalseColourOptions& options) {
+  if (text.empty()) return;
+  const auto colon = text.find(':');
+  const auto number = [&](const std::string& part) -> std::optional<double> {
+    if (part.empty()) return {};
+    char* end = nullptr;
+    const double value = std::strtod(part.c_str(), &end);
+    if (*end != '\0') throw UsageError("--range '" + text + "' is not LOW:HIGH");
+    return value;
+  };
+  if (colon == std::string::npos) throw UsageError("--range '" + text + "' is not LOW:HIGH");
+  options.low = number(text.substr(0, colon));
+  options.high = number(text.substr(colon + 1));
+}
+
+}  // namespace
+
+ImageCommand::ImageCommand(Program& program) : program_(program) {
+  image_ = add_command(program, input_, "image", "Perspective picture: PNG, Radiance HDR or OpenEXR",
+                       "dimout image office.lum --view door -o door.png\n"
+                       "  dimout image office.lum --view plan --tone falsecolour --range 0:1000 -o lux.png");
+  auto& app = *image_;
+  app.add_option("-o,--output", input_.output, "Picture to write; the name's ending says the format: png, hdr, exr")
+      ->required()
+      ->type_name("FILE");
+  app.add_option("--view", view_, "View of the zone file; its first one unless said")->type_name("NAME");
+  app.add_option("--size", size_, "Picture size in pixels in place of the view's")->type_name("WxH");
+  app.add_option("--samples", samples_, "Rays through each pixel: N x N")->check(CLI::Range(1, 16));
+  app.add_option("--shade", shade_, "cell: flat cells; smooth: interpolated within each surface")
+      ->check(CLI::IsMember({"cell", "smooth"}));
+  app.add_option("--tone", tone_, "linear: display luminance in proportion; falsecolour: figures with a legend")
+      ->check(CLI::IsMember({"linear", "falsecolour"}));
+  app.add_option("--white", white_cd_m2_, "Luminance shown as white, cd/m2; 0: found from the picture")
+      ->check(CLI::NonNegativeNumber)
+      ->group("Linear tone");
+  app.add_option("--quantity", quantity_, "What false colour shows")
+      ->check(CLI::IsMember({"illuminance", "luminance"}))
+      ->group("False colour");
+  app.add_option("--range", range_, "Ends of the scale; either may be left out")->type_name("LOW:HIGH")->group("False colour");
+  app.add_flag("--log", logarithmic_, "Logarithmic scale")->group("False colour");
+}
+
+bool ImageCommand::run() {
+  if (!image_->parsed()) return false;
+  render();
+  return true;
+}
+
+View ImageCommand::chosen_view(const Zone& zone) const {
+  if (zone.views.empty())
+    throw InputError({{}, "the zone file of this database has no [[view]]", "add one and run dimdis again"});
+  View view = zone.views.front();
+  if (!view_.empty()) {
+    std::vector<std::string> names;
+    bool found = false;
+    for (const auto& candidate : zone.views) {
+      names.push_back(candidate.name);
+      if (candidate.name != view_) continue;
+      view = candidate;
+      found = true;
+    }
+    if (!found) throw InputError({{}, "--view: no view '" + view_ + "'", did_you_mean(view_, names)});
+  }
+  if (!size_.empty()) std::tie(view.width, view.height) = parse_size(size_);
+  return view;
+}
+
+void ImageCommand::render() {
+  const auto format = picture_format_of(input_.output);
+  if (!format) throw UsageError("-o '" + input_.output + "': the name must end in .png, .hdr or .exr");
+  PictureOptions picture;
+  picture.format = *format;
+  picture.tone = tone_ == "falsecolour" ? Tone::false_colour : Tone::linear;
+  picture.notes.software = "DIM " + version();
+  if (white_cd_m2_ > 0.0) picture.linear.display_white_cd_m2 = white_cd_m2_;
+  parse_range(range_, picture.false_colour);
+  picture.false_colour.kind = logarithmic_ ? ScaleKind::logarithmic : ScaleKind::linear;
+  picture.false_colour.title = quantity_ == "illuminance" ? "Illuminance" : "Luminance";
+
+  program_.stage("read");
+  const LuminanceDatabase database(input_.path, program_.job());
+  const Cells cells(database.zone());
+  RenderOptions options;
+  options.view = chosen_view(database.zone());
+  options.samples = samples_;
+  options.smooth = shade_ == "smooth";
+  options.scalar = quantity_ == "illuminance" ? ScalarQuantity::illuminance : ScalarQuantity::luminance;
+  program_.stage("render");
+  const Mix mix = parse_mix(input_.mix, database.sources());
+  const Raster raster = render_view(database, cells, mix, options, program_.job());
+  picture.linear.scene_white_xyz = scene_white(database, mix);
+  program_.stage("picture");
+  const auto report = write_picture(executable_folder() + "/../lib/dim", input_.output, raster, picture);
+  program_.stage("");
+  program_.warn(report.warnings);
+  if (*format == PictureFormat::png && picture.tone == Tone::linear)
+    program_.say(fmt::format("{} x {}, {:.4g} cd/m2 shown as white{}; {} pixels brighter, {} outside the display's colours",
+                             report.width, report.height, report.display_white_cd_m2,
+                             report.automatic_exposure ? " (automatic)" : "", report.n_above_white,
+                             report.n_out_of_gamut));
+}
+
+}  // namespace dim

@@ -1,0 +1,48 @@
+#include "base/atomic_file.hpp"
+#include "dimout/commands.hpp"
+
+namespace dim {
+
+CLI::App* add_command(Program& program, DatabaseInput& input, const std::string& name, const std::string& what,
+                      const std::string& example) {
+  auto* command = program.app().add_subcommand(name, what);
+  command->footer("Example:\n  " + example);
+  command->add_option("ROOM.lum", input.path, "Luminance database, - for standard input")->required()->type_name("");
+  command->add_option("--mix", input.mix, "Factor on a source or a group of sources, repeatable; others stay 1")
+      ->type_name("NAME=FACTOR")
+      ->allow_extra_args(false)
+      ->group("Input");
+  program.add_common_options(*command);
+  return command;
+}
+
+void add_table_options(CLI::App& command, DatabaseInput& input, bool by_source) {
+  command.add_option("-o,--output", input.output, "File to write, - for standard output")->type_name("FILE");
+  command.add_flag("--json", input.json, "JSON in place of CSV");
+  if (by_source)
+    command
+        .add_option_function<std::string>(
+            "--by", [&input](const std::string&) { input.by_source = true; }, "Each source apart: --by source")
+        ->check(CLI::IsMember({"source"}));
+}
+
+void for_sources(const LuminanceDatabase& database, const DatabaseInput& input,
+                 const std::function<void(const std::string& source, const Mix& mix)>& each) {
+  const Mix mix = parse_mix(input.mix, database.sources());
+  if (!input.by_source) {
+    each("", mix);
+    return;
+  }
+  for (std::size_t s = 0; s < mix.size(); ++s) each(database.sources()[s].name, only(mix, s));
+}
+
+void write_table(const Table& table, const DatabaseInput& input) {
+  write_file(input.output, input.json ? table.json() : table.csv());
+}
+
+std::vector<std::string> columns_with_source(const DatabaseInput& input, std::vector<std::string> columns) {
+  if (input.by_source) columns.insert(columns.begin(), "source");
+  return columns;
+}
+
+}  // namespace dim

@@ -1,0 +1,14 @@
+#include "dimout/commands.hpp"
+
+int main(int argc, char** argv) {
+  dim::Program program("dimout", "Tables and pictures from a luminance database.",
+                       "  dimout grid office.lum --stats\n  dimout image office.lum --view door -o door.png",
+                       "file formats: lum/1");
+  program.app().require_subcommand(1);
+  dim::TableCommands tables(program);
+  dim::ImageCommand image(program);
+  return program.run(argc, argv, [&] {
+    tables.run() || image.run();
+    return dim::Exit::done;
+  });
+}

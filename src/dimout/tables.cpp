@@ -1,0 +1,168 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/atomic_file.hpp"
+#include "dimout/commands.hpp"
+
+namespace dim {
+namespace {
+
+// Values of a row with the source in front where there is one.
+std::vector<Table::Value> row(const std::string& source, std::vector<Table::Value> values) {
+  if (!source.empty()) values.insert(values.begin(), source);
+  return values;
+}
+
+double chromaticity(const Vec3& xyz, int axis) {
+  const double sum = xyz.x + xyz.y + xyz.z;
+  return sum > 0.0 ? xyz[axis] / sum : std::nan("");
+}
+
+double worst_imbalance(const Source& source) {
+  double worst = 0.0;
+  for (const auto& energy : source.energy) {
+    if (std::abs(energy.imbalance) > std::abs(worst)) worst = energy.imbalance;
+  }
+  return worst;
+}
+
+}  // namespace
+
+TableCommands::TableCommands(Program& program) : program_(program) {
+  info_ = add_command(program, input_, "info", "What is in a luminance database, its energy balance and errors",
+                      "dimout info office.lum");
+  add_table_options(*info_, input_, false);
+  surfaces_ = add_command(program, input_, "surfaces", "Illuminance, luminance and colour of every surface",
+                          "dimout surfaces office.lum --by source");
+  add_table_options(*surfaces_, input_, true);
+  cells_ = add_command(program, input_, "cells", "Illuminance and luminance of every cell", "dimout cells office.lum");
+  add_table_options(*cells_, input_, false);
+  grid_ = add_command(program, input_, "grid", "Illuminance at the measuring points",
+                      "dimout grid office.lum --plane workplane --stats");
+  add_table_options(*grid_, input_, true);
+  grid_->add_option("--plane", plane_, "Only this measuring plane or sensor group")->type_name("NAME");
+  grid_->add_flag("--stats", stats_, "Minimum, mean, maximum and uniformity of each plane");
+}
+
+bool TableCommands::run() {
+  if (info_->parsed())
+    info();
+  else if (surfaces_->parsed())
+    surfaces();
+  else if (cells_->parsed())
+    cells();
+  else if (grid_->parsed())
+    grid();
+  else
+    return false;
+  return true;
+}
+
+void TableCommands::info() {
+  const LuminanceDatabase database(input_.path, program_.job());
+  const Zone& zone = database.zone();
+  nlohmann::ordered_json json = {{"zone", zone.name},
+                                 {"surfaces", zone.surfaces.size()},
+                                 {"cells", database.n_cells()},
+                                 {"points", zone.points.size()},
+                                 {"bands_nm", database.bands().edges_nm},
+                                 {"hash", database.hash()},
+                                 {"rays_hash", database.rays_hash()},
+                                 {"sources", nlohmann::ordered_json::array()}};
+  std::string text = fmt::format("zone {}: {} surfaces, {} cells, {} measuring points, {} waveband{}\n", zone.name,
+                                 zone.surfaces.size(), database.n_cells(), zone.points.size(), database.bands().size(),
+                                 database.bands().size() == 1 ? "" : "s");
+  text += fmt::format("{:<24} {:<16} {:>12} {:>12} {:>12}\n", "source", "group", "flux, lm", "imbalance, %",
+                      "error <=, %");
+  for (const auto& source : database.sources()) {
+    const double imbalance = worst_imbalance(source);
+    text += fmt::format("{:<24} {:<16} {:>12.6g} {:>+12.4f} {:>12.2g}\n", source.name, source.group, source.flux_lm,
+                        100.0 * imbalance, 100.0 * source.error_bound);
+    json["sources"].push_back({{"name", source.name},
+                               {"group", source.group},
+                               {"luminaires", source.luminaires},
+                               {"flux_lm", source.flux_lm},
+                               {"imbalance", imbalance},
+                               {"error_bound", source.error_bound},
+                               {"iterations", source.iterations}});
+  }
+  write_file(input_.output, input_.json ? json.dump(1) + "\n" : text);
+}
+
+void TableCommands::surfaces() {
+  const LuminanceDatabase database(input_.path, program_.job());
+  const Cells cells(database.zone());
+  Table table(columns_with_source(input_, {"surface", "area_m2", "illuminance_mean_lx", "illuminance_min_lx",
+                                           "illuminance_max_lx", "luminance_mean_cd_m2", "cie_x", "cie_y"}));
+  for_sources(database, input_, [&](const std::string& source, const Mix& mix) {
+    const auto figures = surface_figures(cells, cell_appearance(database, cells, mix));
+    for (std::size_t s = 0; s < figures.size(); ++s) {
+      if (database.zone().surfaces[s].outside) continue;
+      const auto& f = figures[s];
+      table.add(row(source, {database.zone().surfaces[s].name, f.area_m2, f.illuminance_mean_lx, f.illuminance_min_lx,
+                             f.illuminance_max_lx, f.xyz_mean_cd_m2.y, chromaticity(f.xyz_mean_cd_m2, 0),
+                             chromaticity(f.xyz_mean_cd_m2, 1)}));
+    }
+  });
+  write_table(table, input_);
+}
+
+void TableCommands::cells() {
+  const LuminanceDatabase database(input_.path, program_.job());
+  const Zone& zone = database.zone();
+  const Cells cells(zone);
+  const auto appearance = cell_appearance(database, cells, parse_mix(input_.mix, database.sources()));
+  Table table({"surface", "cell", "x_m", "y_m", "z_m", "area_m2", "illuminance_lx", "luminance_cd_m2"});
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::size_t s = cells.surface_of(i);
+    const Vec3 p = zone.surfaces[s].polygon.frame().to_world(cells[i].centroid) + zone.origin_m;
+    table.add({zone.surfaces[s].name, static_cast<long>(i - cells.first(s)), p.x, p.y, p.z, cells.area_m2(i),
+               appearance.illuminance_lx[i], appearance.xyz_cd_m2[i].y});
+  }
+  write_table(table, input_);
+}
+
+std::vector<PointSet> TableCommands::chosen_sets(const Zone& zone) const {
+  if (plane_.empty()) return zone.point_sets;
+  std::vector<std::string> names;
+  for (const auto& set : zone.point_sets) {
+    if (set.name == plane_) return {set};
+    names.push_back(set.name);
+  }
+  throw InputError({{}, "--plane: no measuring plane or sensors '" + plane_ + "'", did_you_mean(plane_, names)});
+}
+
+void TableCommands::grid() {
+  const LuminanceDatabase database(input_.path, program_.job());
+  const Zone& zone = database.zone();
+  const auto sets = chosen_sets(zone);
+  if (sets.empty()) program_.say("the zone has no measuring planes or sensors");
+  if (stats_) return grid_stats(database, sets);
+  Table table(columns_with_source(input_, {"plane", "point", "x_m", "y_m", "z_m", "nx", "ny", "nz", "illuminance_lx"}));
+  for_sources(database, input_, [&](const std::string& source, const Mix& mix) {
+    const auto lx = point_illuminance_lx(database, mix);
+    for (const auto& set : sets) {
+      for (std::size_t p = set.first; p < set.first + set.count; ++p) {
+        const Vec3 at = zone.points[p].position + zone.origin_m, n = zone.points[p].normal;
+        table.add(row(source, {set.name, static_cast<long>(p - set.first), at.x, at.y, at.z, n.x, n.y, n.z, lx[p]}));
+      }
+    }
+  });
+  write_table(table, input_);
+}
+
+void TableCommands::grid_stats(const LuminanceDatabase& database, const std::vector<PointSet>& sets) {
+  Table table(columns_with_source(input_, {"plane", "points", "min_lx", "mean_lx", "max_lx", "u0", "ud"}));
+  for_sources(database, input_, [&](const std::string& source, const Mix& mix) {
+    const auto lx = point_illuminance_lx(database, mix);
+    for (const auto& set : sets) {
+      const auto s = grid_statistics(lx, set);
+      table.add(row(source, {set.name, static_cast<long>(s.n_points), s.min_lx, s.mean_lx, s.max_lx, s.u0, s.ud}));
+    }
+  });
+  write_table(table, input_);
+}
+
+}  // namespace dim
