@@ -7,7 +7,7 @@
 #include <atomic>
 #include <mutex>
 
-#include "hemisphere/low_discrepancy.hpp"
+#include "base/low_discrepancy.hpp"
 #include "network/balance.hpp"
 #include "network/family.hpp"
 
@@ -156,9 +156,9 @@ void trace_points(Network& network, const Zone& zone, const RowTracer& tracer, c
   network.point_back_fraction.resize(zone.points.size());
   for_rows(zone.points.size(), n_patches, "points", job, [&](std::size_t point) {
     const Frame frame = frame_at(zone.points[point]);
-    const RowCounts counts =
-        tracer.trace({&frame, nullptr, nullptr, -1}, network.point_patches, kPointStreams + point,
-                     [&](std::size_t patch, std::uint32_t sink) { network.point_sinks.set(point, patch, sink); });
+    const RowCounts counts = tracer.trace(
+        {&frame, nullptr, nullptr, -1}, network.point_patches, kPointStreams + point,
+        [&](std::size_t patch, std::uint32_t sink) { network.point_sinks.set(point, patch, sink); });
     network.point_back_fraction[point] = static_cast<double>(counts.back) / static_cast<double>(n_patches);
   });
 }
