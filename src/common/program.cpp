@@ -82,14 +82,17 @@ Program::Program(std::string name, const std::string& description, const std::st
   app_.option_defaults()->always_capture_default();
 }
 
-void Program::add_common_options(CLI::App& app) {
+void Program::add_common_options(CLI::App& app, bool stats_taken) {
   app.add_flag("--quiet,-q", quiet_, "No messages but errors")->group("Messages");
   app.add_flag("--verbose,-v", verbose_, "Say what is done")->group("Messages");
   app.add_option("--progress", progress_, "Progress bar: auto, always or never")
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->group("Messages");
   app.add_option("--threads,-j", threads_, "Threads; 0 = all cores")->check(CLI::Range(0, 1024))->group("Running");
-  app.add_option("--stats", stats_path_, "Write counts, seconds, memory and energy as JSON to this file")
+  // `dimout grid` has its own --stats (of the planes): there only the longer name is left.
+  app.add_option(stats_taken ? "--run-stats" : "--stats,--run-stats", stats_path_,
+                 "Write counts, seconds, memory and energy as JSON to this file")
+      ->type_name("FILE")
       ->group("Running");
 }
 

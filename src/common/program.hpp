@@ -23,7 +23,8 @@ class Program {
   CLI::App& app() { return app_; }
 
   /// Adds --quiet, --verbose, --threads, --progress and --stats to an app or subcommand.
-  void add_common_options(CLI::App& app);
+  /// @param stats_taken  the command has a --stats of its own; ours is then --run-stats alone
+  void add_common_options(CLI::App& app, bool stats_taken = false);
 
   /// Parses and runs `work`, whose result is the exit status; turns errors into messages and exit status.
   int run(int argc, char** argv, const std::function<Exit()>& work);

@@ -12,7 +12,7 @@ CLI::App* add_command(Program& program, DatabaseInput& input, const std::string&
       ->type_name("NAME=FACTOR")
       ->allow_extra_args(false)
       ->group("Input");
-  program.add_common_options(*command);
+  program.add_common_options(*command, name == "grid");
   return command;
 }
 

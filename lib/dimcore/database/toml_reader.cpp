@@ -233,7 +233,7 @@ std::optional<std::vector<std::vector<double>>> TomlTable::rows(std::string_view
   return result;
 }
 
-bool TomlTable::ring_in(const toml::node& node, std::string_view key, Ring3& out) const {
+bool TomlTable::ring_in(const toml::node& node, std::string_view key, std::vector<Vec3>& out) const {
   const auto* array = node.as_array();
   if (!array) {
     context_->problems.add(
@@ -250,17 +250,17 @@ bool TomlTable::ring_in(const toml::node& node, std::string_view key, Ring3& out
   return true;
 }
 
-std::optional<Ring3> TomlTable::ring(std::string_view key) const {
+std::optional<std::vector<Vec3>> TomlTable::ring(std::string_view key) const {
   const auto* value = node(key);
-  Ring3 result;
+  std::vector<Vec3> result;
   if (!value || !ring_in(*value, key, result)) return std::nullopt;
   return result;
 }
 
-std::optional<std::vector<Ring3>> TomlTable::rings(std::string_view key) const {
+std::optional<std::vector<std::vector<Vec3>>> TomlTable::rings(std::string_view key) const {
   const auto* value = typed(key, toml::node_type::array, "an array of outlines");
   if (!value) return std::nullopt;
-  std::vector<Ring3> result;
+  std::vector<std::vector<Vec3>> result;
   for (const auto& element : *value->as_array()) {
     result.emplace_back();
     if (!ring_in(element, key, result.back())) return std::nullopt;

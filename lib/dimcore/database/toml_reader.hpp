@@ -13,7 +13,7 @@
 
 #include "base/error.hpp"
 #include "base/vec.hpp"
-#include "geometry/polygon.hpp"
+#include "base/vec.hpp"
 #include "spectrum/curve.hpp"
 
 /// Typed reading of TOML text, shared by zone, lights and database files: every problem is reported with its
@@ -92,8 +92,8 @@ class TomlTable {
   /// Array of rows of `size` numbers each.
   std::optional<std::vector<std::vector<double>>> rows(std::string_view key, std::size_t size,
                                                        const NumberRange& range) const;
-  std::optional<Ring3> ring(std::string_view key) const;
-  std::optional<std::vector<Ring3>> rings(std::string_view key) const;
+  std::optional<std::vector<Vec3>> ring(std::string_view key) const;
+  std::optional<std::vector<std::vector<Vec3>>> rings(std::string_view key) const;
   /// A number (the same at every wavelength) or [[nm, value], ...] with wavelengths ascending.
   std::optional<SpectralCurve> curve(std::string_view key, const NumberRange& range) const;
 
@@ -110,7 +110,7 @@ class TomlTable {
   bool number_in(const toml::node& node, std::string_view key, const NumberRange& range, double& out) const;
   bool numbers_in(const toml::node& node, std::string_view key, std::size_t size, const NumberRange& range,
                   std::vector<double>& out) const;
-  bool ring_in(const toml::node& node, std::string_view key, Ring3& out) const;
+  bool ring_in(const toml::node& node, std::string_view key, std::vector<Vec3>& out) const;
 
   const toml::table* table_;
   std::string label_;

@@ -3,6 +3,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -81,8 +82,8 @@ class Renderer {
         shade_(database.zone(), cells, cell_appearance(database, cells, mix), options.smooth),
         openings_(database, mix),
         caster_(plates(), database.zone().diameter_m),
-        camera_(options.view.eye, options.view.focus, options.view.up, options.view.fov_rad, options.view.width,
-                options.view.height) {}
+        perspective_({options.view.eye, options.view.focus, options.view.up, options.view.fov_rad,
+                      options.view.width, options.view.height}) {}
 
   Pixel pixel(int x, int y) const {
     Pixel sum;
@@ -102,7 +103,7 @@ class Renderer {
   }
 
   void add(Pixel& sum, double px, double py) const {
-    const Vec3 ray = glm::normalize(camera_.direction(px, py));
+    const Vec3 ray = perspective_.direction(px, py);
     const Hit hit = caster_.nearest(options_.view.eye, ray);
     if (hit.plate < 0) return;
     const auto plate = static_cast<std::size_t>(hit.plate);
@@ -127,7 +128,7 @@ class Renderer {
   CellShade shade_;
   Openings openings_;
   RayCaster caster_;
-  Camera camera_;
+  Perspective perspective_;
 };
 
 }  // namespace

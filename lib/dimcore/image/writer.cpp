@@ -4,21 +4,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
+
+#include "base/atomic_file.hpp"
 
 namespace dim {
 namespace {
-
-// Stands in for write_file_atomically of base/atomic_file.
-void save(const std::string& path, const std::string& bytes) {
-  std::ofstream file(path, std::ios::binary);
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  if (!file) throw IoError(path, fmt::format("cannot write: {}", std::strerror(errno)));
-}
 
 PictureNotes with_description(PictureNotes notes, const std::string& description) {
   if (notes.description.empty()) notes.description = description;
@@ -112,7 +103,7 @@ PictureReport write_picture(const std::string& library_dir, const std::string& p
                             const PictureOptions& options) {
   const PictureModule module(library_dir);
   const EncodedPicture picture = encode_picture(module, raster, options);
-  save(path, picture.bytes);
+  write_file(path, picture.bytes);
   return picture.report;
 }
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "hemisphere/low_discrepancy.hpp"
+#include "base/low_discrepancy.hpp"
 
 namespace dim {
 namespace {

@@ -1,7 +1,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include "hemisphere/low_discrepancy.hpp"
+#include "base/low_discrepancy.hpp"
 #include "transport/direct.hpp"
 
 namespace dim {
