@@ -90,6 +90,16 @@ TEST_CASE("Exchange is the same whichever region is named first", "[geometry][un
   CHECK(pair_exchange_m2(floor, slope) == Approx(pair_exchange_m2(slope, floor)).epsilon(1e-8));
 }
 
+TEST_CASE("Exchange of small far regions goes with the inverse square", "[geometry][unit]") {
+  for (const double a : {0.01, 0.001}) {
+    const std::vector<Ring3> below = {{{0, 0, 0}, {a, 0, 0}, {a, a, 0}, {0, a, 0}}};
+    const std::vector<Ring3> above = {{{0, 0, 1}, {0, a, 1}, {a, a, 1}, {a, 0, 1}}};
+    // 1/(pi r^4) over both, with the mean square of the sideways distance a^2/3.
+    const double exact = a * a * a * a / kPi * (1 - 2 * a * a / 3);
+    CHECK(pair_exchange_m2(below, above) == Approx(exact).epsilon(1e-6));
+  }
+}
+
 TEST_CASE("View factors do not depend on the number of threads", "[geometry][view_factors][unit]") {
   const auto polygons = room_with_desk();
   const auto all = view_factors(plates(polygons), 6.0, 1000);
