@@ -1,9 +1,13 @@
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
+#include <algorithm>
+#include <cmath>
 
 #include "base/atomic_file.hpp"
 #include "dimdis/options.hpp"
+#include "common/table.hpp"
+#include "geometry/hidden_lines.hpp"
+#include "geometry/view_factors.hpp"
 #include "network/cells.hpp"
 #include "scene/zone_reader.hpp"
 
@@ -13,6 +17,13 @@ GeometryCommands::GeometryCommands(Program& program) : program_(program) {
   check_ = add("check", "Check a zone file and say what is in it", "  dimdis check office.zone.toml");
   areas_ = add("areas", "Area and cells of every surface as CSV, the volume on stderr",
                "  dimdis areas office.zone.toml -o areas.csv");
+  view_factors_ = add("viewfactors", "Diffuse view factors of all pairs of surfaces as CSV, checks on stderr",
+                      "  dimdis viewfactors office.zone.toml -o factors.csv");
+  view_factors_->add_option("--rays", rays_, "Rays from each surface; the error falls about as their root")
+      ->check(CLI::Range(1, 100'000'000))
+      ->group("Accuracy");
+  draw_ = add("draw", "Hidden-line perspective as SVG", "  dimdis draw office.zone.toml --view door -o door.svg");
+  draw_->add_option("--view", view_, "View of the zone file; its first one unless said")->type_name("NAME");
 }
 
 CLI::App* GeometryCommands::add(const std::string& name, const std::string& what, const std::string& example) {
@@ -30,6 +41,10 @@ bool GeometryCommands::run(Exit& status) {
     status = check();
   else if (areas_->parsed())
     status = areas();
+  else if (view_factors_->parsed())
+    status = factors();
+  else if (draw_->parsed())
+    status = draw();
   else
     return false;
   return true;
@@ -47,13 +62,46 @@ Exit GeometryCommands::check() {
 Exit GeometryCommands::areas() {
   const Zone zone = read_zone(program_, input_);
   const Cells cells(zone);
-  std::string csv = "surface,area_m2,cells\n";
+  Table table({"surface", "area_m2", "cells"});
   for (std::size_t s = 0; s < zone.surfaces.size(); ++s)
-    csv += fmt::format("{},{:.9g},{}\n", zone.surfaces[s].name, zone.surfaces[s].polygon.area_m2(),
-                       cells.first(s + 1) - cells.first(s));
-  write_file(output_, csv);
+    table.add({zone.surfaces[s].name, zone.surfaces[s].polygon.area_m2(),
+               static_cast<long>(cells.first(s + 1) - cells.first(s))});
+  write_file(output_, table.csv());
   program_.say(zone.closed ? fmt::format("volume {:.9g} m3", zone_volume_m3(zone))
                            : "the zone is not closed: it has no volume");
+  return Exit::done;
+}
+
+Exit GeometryCommands::factors() {
+  const Zone zone = read_zone(program_, input_);
+  const ViewFactors factors = view_factors(plates_of(zone), zone.diameter_m, rays_, program_.job());
+  program_.stage("");
+  Table table({"from", "to", "view_factor"});
+  double worst_row = 0.0, escaped = 0.0;
+  for (std::size_t i = 0; i < factors.rows.size(); ++i) {
+    for (const auto& entry : factors.rows[i])
+      table.add({zone.surfaces[i].name, zone.surfaces[entry.to].name, entry.value});
+    worst_row = std::max(worst_row, std::abs(factors.row_sums[i] + factors.escaped[i] + factors.behind[i] - 1.0));
+    escaped = std::max(escaped, factors.escaped[i] + factors.behind[i]);
+    program_.say_verbose(fmt::format("{}: row sum {:.6f}, escaped {:.6f}", zone.surfaces[i].name, factors.row_sums[i],
+                                     factors.escaped[i] + factors.behind[i]));
+  }
+  write_file(output_, table.csv());
+  program_.say(fmt::format("reciprocity of the rays {:.2e} of the area (RMS {:.2e}); rows add up to 1 within {:.2e}; at "
+                           "most {:.4f} of a surface's view leaves the zone",
+                           factors.reciprocity_total, factors.reciprocity_rms, worst_row, escaped));
+  return Exit::done;
+}
+
+Exit GeometryCommands::draw() {
+  const Zone zone = read_zone(program_, input_);
+  const View& view = find_view(zone, view_);
+  const Camera camera{view.eye, view.focus, view.up, view.fov_rad, view.width, view.height};
+  auto plates = plates_of(zone);
+  // From outside the camera looks through the near walls, as into a cut-away model.
+  for (std::size_t s = 0; s < plates.size(); ++s) plates[s].open_back |= zone.surfaces[s].bounding;
+  write_file(output_, to_svg(hidden_lines(plates, zone.diameter_m, camera, program_.job()), view.width,
+                             view.height, zone.name + ", view " + view.name));
   return Exit::done;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/program.hpp"
+#include "geometry/view_factors.hpp"
 #include "scene/zone.hpp"
 
 namespace dim {
@@ -48,7 +49,7 @@ class GeometryCommands {
  private:
   Exit check();
   Exit areas();
-  Exit view_factors();
+  Exit factors();
   Exit draw();
   CLI::App* add(const std::string& name, const std::string& what, const std::string& example);
 
@@ -56,7 +57,7 @@ class GeometryCommands {
   ZoneInput input_;
   std::string output_ = "-";
   std::string view_;
-  int rays_ = 0;
+  int rays_ = kViewFactorRays;
   CLI::App *check_, *areas_, *view_factors_, *draw_;
 };
 

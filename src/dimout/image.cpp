@@ -71,20 +71,7 @@ bool ImageCommand::run() {
 }
 
 View ImageCommand::chosen_view(const Zone& zone) const {
-  if (zone.views.empty())
-    throw InputError({{}, "the zone file of this database has no [[view]]", "add one and run dimdis again"});
-  View view = zone.views.front();
-  if (!view_.empty()) {
-    std::vector<std::string> names;
-    bool found = false;
-    for (const auto& candidate : zone.views) {
-      names.push_back(candidate.name);
-      if (candidate.name != view_) continue;
-      view = candidate;
-      found = true;
-    }
-    if (!found) throw InputError({{}, "--view: no view '" + view_ + "'", did_you_mean(view_, names)});
-  }
+  View view = find_view(zone, view_);
   if (!size_.empty()) std::tie(view.width, view.height) = parse_size(size_);
   return view;
 }

@@ -94,4 +94,8 @@ struct Zone {
   std::optional<Site> site;
 };
 
+/// The view of that name, the first one for an empty name.
+/// @throws InputError  no such view, or a zone without views
+const View& find_view(const Zone& zone, const std::string& name);
+
 }  // namespace dim
