@@ -165,14 +165,15 @@ class Calculation {
     result_.reciprocity_rms = std::sqrt(squares) / total_area_m2;
   }
 
-  // A pair of factor F gets lines_per_root_ * sqrt(F) lines: the polygon's number of rays, or more in a zone of
-  // so few pairs that all together would be less than kFewestLines times that.
+  // A pair of factor F gets lines_per_root_ * sqrt(F) lines: the polygon's number of rays, or more in a zone
+  // of so few pairs that all together would be less than kFewestLines times that.
   void share_out_lines(const std::vector<Pair>& pairs) {
     constexpr double kFewestLines = 64.0;
     double roots = 0.0;
     for (const auto& pair : pairs)
       roots += std::sqrt(pair.exchange_m2 / std::min(area_m2(pair.first), area_m2(pair.second)));
-    lines_per_root_ = static_cast<double>(n_rays_) * (roots > 0.0 ? std::max(1.0, kFewestLines / roots) : 1.0);
+    lines_per_root_ =
+        static_cast<double>(n_rays_) * (roots > 0.0 ? std::max(1.0, kFewestLines / roots) : 1.0);
   }
 
   // The region of a plate in front of another, made in `store` unless that is all of it; null if there is
