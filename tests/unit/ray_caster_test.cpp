@@ -39,7 +39,7 @@ TEST_CASE("No ray leaves a closed box, not even one aimed at an edge or a corner
       if (i % 4 < 3) target.x = 3.7 * scale;
       if (i % 4 < 2) target.y = -2.9 * scale;
       if (i % 4 < 1) target.z = 1.4 * scale;
-      const Hit hit = caster.nearest(from, target - from);
+      const Hit hit = caster.nearest(from, glm::normalize(target - from));
       REQUIRE(hit.plate >= 0);
       CHECK_FALSE(hit.back);
     }

@@ -188,8 +188,7 @@ void set_ray(RTCRay& ray, const Query& query) {
 
 Hit RayCaster::nearest(const Vec3& origin, const Vec3& direction, int skip) const {
   Query query;
-  start(query, origin, direction, scene_->tolerance_m / glm::length(direction),
-        std::numeric_limits<double>::infinity(), skip);
+  start(query, origin, direction, scene_->tolerance_m, std::numeric_limits<double>::infinity(), skip);
   RTCRayHit ray;
   set_ray(ray.ray, query);
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;

@@ -36,6 +36,7 @@ class RayCaster {
   RayCaster& operator=(RayCaster&&) noexcept;
 
   /// Nearest plate along origin + t * direction, t > tolerance. Where two are equally near, the lower index.
+  /// @param direction  of unit length
   /// @param skip  a plate that is not looked at (the one the ray starts on), or -1
   Hit nearest(const Vec3& origin, const Vec3& direction, int skip = -1) const;
 

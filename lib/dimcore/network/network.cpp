@@ -59,6 +59,7 @@ class RowTracer {
     const LowDiscrepancy4 points(mix(seed_) ^ stream);
     std::size_t patch = 0;
     for (int slice = 0; slice < patches.n_slices; ++slice) {
+      const PatchSlice directions(patches, slice);
       for (int sector = 0; sector < patches.n_sectors; ++sector, ++patch) {
         Vec3 from = origin.frame->origin;
         Vec3 direction;
@@ -67,7 +68,7 @@ class RowTracer {
           direction = patches.centre(slice, sector);
         } else {
           const auto x = points(patch);
-          direction = patches.direction(slice, sector, x[0], x[1]);
+          direction = directions.direction(sector, x[0], x[1]);
           if (origin.cell)
             from = origin.frame->to_world(
                 point_in_cell(*origin.cell, *origin.polygon, x[2], x[3], stream ^ mix(patch)));

@@ -18,7 +18,7 @@ enum class Sampling {
 };
 
 struct NetworkOptions {
-  PatchGrid patches{16, 32};
+  PatchGrid patches{12, 24};
   PatchGrid point_patches{32, 64};
   Sampling sampling = Sampling::stratified;
   bool family = false;

@@ -24,9 +24,10 @@ constexpr int kMaxHorizonHalvings = 4;
 constexpr int kProbeRays = 16;
 constexpr int kMinProbeRays = 4;
 constexpr int kShadowRays = 64;
-// Pairs that bring less than this share of the mean direct illuminance get the fewest rays. These are as
-// unbiased as the rest, only coarser.
-constexpr double kFaint = 2e-3;
+// Pairs that bring less than this share of the mean direct illuminance get a few rays only. Their mean is as
+// unbiased as the rest's, only coarser, and there are many of them.
+constexpr double kFaint = 3e-3;
+constexpr int kFaintRays = 4;
 
 struct Interval {
   double low = 0.0, high = 1.0;
@@ -74,7 +75,7 @@ class Integrator {
   double mean(const Receiver& receiver, const Part& pair) const {
     if (hidden_by_orientation(receiver, pair)) return 0.0;
     Chance chance{LowDiscrepancy4(receiver.stream ^ stream_)};
-    const Sum sum = integrate(receiver, pair, 0, 0, chance);
+    const Sum sum = is_faint(receiver, pair) ? faint(receiver, pair, chance) : integrate(receiver, pair, 0, 0, chance);
     return sum.weight > 0.0 ? sum.value / sum.weight : 0.0;
   }
 
@@ -107,8 +108,27 @@ class Integrator {
     return fitting_.intensity.at(luminaire_.to_local(d)) * height / (r2 * std::sqrt(r2));
   }
 
+  struct Probe {
+    int n = 0, n_inside = 0, n_lit = 0, n_visible = 0;
+    double lit = 0.0, visible = 0.0;
+    bool mixed() const { return n_visible > 0 && n_visible < n_lit; }
+  };
+
+  // Far away and bringing little, judged between the middles.
+  bool is_faint(const Receiver& receiver, const Part& pair) const {
+    if (near(receiver, pair)) return false;
+    const Vec3 p = receiver.frame->to_world({pair[0].middle(), pair[1].middle()});
+    return unshadowed(receiver, p, on_opening(0.5, 0.5)) < faint_;
+  }
+
+  Sum faint(const Receiver& receiver, const Part& pair, Chance& chance) const {
+    Probe sum;
+    probe(sum, kFaintRays, receiver, pair, chance);
+    return {static_cast<double>(sum.n_inside) / sum.n, sum.visible / sum.n};
+  }
+
   struct Smooth {
-    double mean = 0.0, largest = 0.0;
+    double mean = 0.0;
     bool horizon = false;  // some points receive light, some do not
   };
 
@@ -128,7 +148,6 @@ class Integrator {
                                    on_opening(part[2].gauss(sign[2]), part[3].gauss(sign[3])));
       n_lit += lx > 0.0;
       result.mean += lx / n;
-      result.largest = std::max(result.largest, lx);
     }
     result.horizon = n_lit > 0 && n_lit < n;
     return result;
@@ -167,12 +186,6 @@ class Integrator {
     return {both.weight / 2.0, both.value / 2.0};
   }
 
-  struct Probe {
-    int n = 0, n_inside = 0, n_lit = 0, n_visible = 0;
-    double lit = 0.0, visible = 0.0;
-    bool mixed() const { return n_visible > 0 && n_visible < n_lit; }
-  };
-
   void probe(Probe& sum, int n, const Receiver& receiver, const Part& part, Chance& chance) const {
     for (; sum.n < n; ++sum.n) {
       const auto x = chance.draw();
@@ -192,13 +205,12 @@ class Integrator {
 
   Sum leaf(const Receiver& receiver, const Part& part, const Smooth& expected, int halvings, Chance& chance) const {
     if (receiver.whole && !(expected.mean > 0.0)) return {1.0, 0.0};
-    const bool faint = expected.largest < faint_;
     const bool points = receiver.polygon == nullptr && opening_m_ == Vec2(0.0);
-    int n = std::max(kMinProbeRays, faint ? 0 : kProbeRays >> std::min(halvings, 4));
+    int n = std::max(kMinProbeRays, kProbeRays >> std::min(halvings, 4));
     if (!receiver.whole) n = std::max(n, kProbeRays);
     Probe sum;
     probe(sum, points ? 1 : n, receiver, part, chance);
-    if (sum.mixed() && !faint) probe(sum, std::max(n, kShadowRays >> std::min(halvings, 4)), receiver, part, chance);
+    if (sum.mixed()) probe(sum, std::max(n, kShadowRays >> std::min(halvings, 4)), receiver, part, chance);
     const double weight = static_cast<double>(sum.n_inside) / sum.n;
     if (!receiver.whole) return {weight, sum.visible / sum.n};
     return {1.0, sum.lit > 0.0 ? expected.mean * sum.visible / sum.lit : 0.0};

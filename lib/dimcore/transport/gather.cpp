@@ -31,6 +31,7 @@ class Block {
     for (std::size_t s = 0; s < cells.n_surfaces(); ++s)
       std::copy_n(&reflectance[s * n_columns + first], n, &rho_[s * width_]);
     total_ = direct_;
+    add_ambient();
   }
 
   void solve(const GatherOptions& options, const Job& job) {
@@ -84,6 +85,24 @@ class Block {
   }
 
  private:
+  // A first guess of the inter-reflected part: that of an integrating sphere of the same area and reflectances.
+  // It takes the slowest-settling share out of the iteration; the answer does not depend on it.
+  void add_ambient() {
+    std::vector<double> reflected(width_, 0.0), taken(width_, 0.0);
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      const double* rho = &rho_[cells_.surface_of(i) * width_];
+      for (std::size_t c = 0; c < width_; ++c) {
+        reflected[c] += cells_.area_m2(i) * network_.visible[i] * rho[c] * direct_[i * width_ + c];
+        taken[c] += cells_.area_m2(i) * (1.0 - network_.visible[i] * rho[c]);
+      }
+    }
+    for_cells([&](std::size_t i) {
+      for (std::size_t c = 0; c < width_; ++c) {
+        if (taken[c] > 0.0) total_[i * width_ + c] += network_.visible[i] * reflected[c] / taken[c];
+      }
+    });
+  }
+
   void emit() {
     for_cells([&](std::size_t i) {
       const double* rho = &rho_[cells_.surface_of(i) * width_];

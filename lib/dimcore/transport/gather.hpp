@@ -9,7 +9,7 @@
 namespace dim {
 
 struct GatherOptions {
-  double tolerance = 1e-4;  ///< stop when no cell changes by more than this share of its column's mean
+  double tolerance = 3e-4;  ///< stop when no cell changes by more than this share of its column's mean
   int max_iterations = 1000;
 };
 
@@ -22,7 +22,7 @@ struct ColumnReport {
   double received = 0.0;      ///< direct, on cells
   double absorbed = 0.0;      ///< by cells
   double escaped = 0.0;       ///< reflected out of the zone or onto backs
-  double dropped = 0.0;       ///< reflected but not followed any more
+  double dropped = 0.0;       ///< reflected and not followed (negative: more followed than reflected)
 };
 
 struct Gathered {
