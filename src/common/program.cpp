@@ -76,7 +76,8 @@ Program::Program(std::string name, const std::string& description, const std::st
       stats_(std::make_shared<nlohmann::json>()),
       clock_(std::make_shared<StageClock>()) {
   app_.footer(fmt::format("Example:\n{}\n\n{}", example, kExitCodes));
-  app_.set_version_flag("--version", version_text(name_, formats), "Print version, compiler and file formats");
+  app_.set_version_flag("--version", version_text(name_, formats),
+                        "Print version, compiler and file formats");
   app_.set_help_flag("--help,-h", "Print this help");
   app_.get_formatter()->column_width(34);
   app_.option_defaults()->always_capture_default();
@@ -88,7 +89,9 @@ void Program::add_common_options(CLI::App& app, bool stats_taken) {
   app.add_option("--progress", progress_, "Progress bar: auto, always or never")
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->group("Messages");
-  app.add_option("--threads,-j", threads_, "Threads; 0 = all cores")->check(CLI::Range(0, 1024))->group("Running");
+  app.add_option("--threads,-j", threads_, "Threads; 0 = all cores")
+      ->check(CLI::Range(0, 1024))
+      ->group("Running");
   // `dimout grid` has its own --stats (of the planes): there only the longer name is left.
   app.add_option(stats_taken ? "--run-stats" : "--stats,--run-stats", stats_path_,
                  "Write counts, seconds, memory and energy as JSON to this file")
@@ -144,7 +147,8 @@ int Program::fail(Exit status, const std::string& text) const {
 
 int Program::fail(const InputError& error) const {
   if (line_) line_->clear();
-  for (const auto& problem : error.problems()) std::cerr << name_ << ": error: " << to_string(problem) << '\n';
+  for (const auto& problem : error.problems())
+    std::cerr << name_ << ": error: " << to_string(problem) << '\n';
   if (error.n_found() > error.problems().size())
     std::cerr << name_ << ": error: and " << error.n_found() - error.problems().size() << " more\n";
   return static_cast<int>(Exit::input);
@@ -154,7 +158,8 @@ Job Program::job() {
   Job job;
   job.stop = &stop_requested;
   job.memory_limit_bytes = free_memory_bytes();
-  if (line_) job.progress = [line = line_](const char* stage, double fraction) { line->show(stage, fraction); };
+  if (line_)
+    job.progress = [line = line_](const char* stage, double fraction) { line->show(stage, fraction); };
   return job;
 }
 

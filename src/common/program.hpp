@@ -11,7 +11,15 @@
 namespace dim {
 
 /// Exit status, the same in all four programs.
-enum class Exit { done = 0, check_failed = 1, usage = 2, input = 3, system = 4, internal = 5, interrupted = 130 };
+enum class Exit {
+  done = 0,
+  check_failed = 1,
+  usage = 2,
+  input = 3,
+  system = 4,
+  internal = 5,
+  interrupted = 130
+};
 
 /// What the programs have in common: options of the same names, messages, progress, statistics, exit status.
 class Program {

@@ -20,11 +20,12 @@ struct DatabaseInput {
 };
 
 /// Adds a subcommand with ROOM.lum, --mix and the common options.
-CLI::App* add_command(Program& program, DatabaseInput& input, const std::string& name, const std::string& what,
-                      const std::string& example);
+CLI::App* add_command(Program& program, DatabaseInput& input, const std::string& name,
+                      const std::string& what, const std::string& example);
 void add_table_options(CLI::App& command, DatabaseInput& input, bool by_source);
 
-/// Calls `each` once with all sources mixed, or with --by source once a source; the name is empty for the mix.
+/// Calls `each` once with all sources mixed, or with --by source once a source; the name is empty for the
+/// mix.
 void for_sources(const LuminanceDatabase& database, const DatabaseInput& input,
                  const std::function<void(const std::string& source, const Mix& mix)>& each);
 

@@ -3,12 +3,15 @@
 
 namespace dim {
 
-CLI::App* add_command(Program& program, DatabaseInput& input, const std::string& name, const std::string& what,
-                      const std::string& example) {
+CLI::App* add_command(Program& program, DatabaseInput& input, const std::string& name,
+                      const std::string& what, const std::string& example) {
   auto* command = program.app().add_subcommand(name, what);
   command->footer("Example:\n  " + example);
-  command->add_option("ROOM.lum", input.path, "Luminance database, - for standard input")->required()->type_name("");
-  command->add_option("--mix", input.mix, "Factor on a source or a group of sources, repeatable; others stay 1")
+  command->add_option("ROOM.lum", input.path, "Luminance database, - for standard input")
+      ->required()
+      ->type_name("");
+  command
+      ->add_option("--mix", input.mix, "Factor on a source or a group of sources, repeatable; others stay 1")
       ->type_name("NAME=FACTOR")
       ->allow_extra_args(false)
       ->group("Input");
@@ -22,7 +25,8 @@ void add_table_options(CLI::App& command, DatabaseInput& input, bool by_source) 
   if (by_source)
     command
         .add_option_function<std::string>(
-            "--by", [&input](const std::string&) { input.by_source = true; }, "Each source apart: --by source")
+            "--by", [&input](const std::string&) { input.by_source = true; },
+            "Each source apart: --by source")
         ->check(CLI::IsMember({"source"}));
 }
 

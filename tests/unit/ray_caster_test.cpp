@@ -10,7 +10,9 @@ namespace {
 
 /// Inward-facing faces of a box.
 std::vector<Polygon> box_m(const Vec3& lo, const Vec3& hi) {
-  const auto at = [&](int x, int y, int z) { return Vec3(x ? hi.x : lo.x, y ? hi.y : lo.y, z ? hi.z : lo.z); };
+  const auto at = [&](int x, int y, int z) {
+    return Vec3(x ? hi.x : lo.x, y ? hi.y : lo.y, z ? hi.z : lo.z);
+  };
   return {Polygon({at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0)}),
           Polygon({at(0, 0, 1), at(0, 1, 1), at(1, 1, 1), at(1, 0, 1)}),
           Polygon({at(0, 0, 0), at(0, 0, 1), at(1, 0, 1), at(1, 0, 0)}),

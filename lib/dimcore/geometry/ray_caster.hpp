@@ -13,6 +13,9 @@ struct Plate {
   /// What a ray meets that comes from behind: false stops it (a closed body's inside), true lets it pass (the
   /// other side is a plate of its own).
   bool open_back = false;
+  /// Its holes cannot be reached from the front (furniture stands in them): only the bounding rectangle is
+  /// tested.
+  bool fills_rectangle = false;
 };
 
 /// Where a ray ends.

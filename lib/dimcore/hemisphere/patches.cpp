@@ -54,11 +54,12 @@ PatchGrid parse_patches(const std::string& text, const std::string& option) {
   const char* last = first + text.size();
   const char* cross = std::find(first, last, 'x');
   long a = 0, b = 0;
-  const bool good = cross == last ? parse_count(first, last, a)
-                                  : parse_count(first, cross, a) && parse_count(cross + 1, last, b) &&
-                                        a * b <= kMaxPatches;
+  const bool good =
+      cross == last ? parse_count(first, last, a)
+                    : parse_count(first, cross, a) && parse_count(cross + 1, last, b) && a * b <= kMaxPatches;
   if (!good)
-    throw InputError({{}, option + " '" + text + "' is not AxB or a total of 1..10000000 patches",
+    throw InputError({{},
+                      option + " '" + text + "' is not AxB or a total of 1..10000000 patches",
                       "write for example " + option + " 16x32"});
   return cross == last ? most_square(a) : PatchGrid{static_cast<int>(a), static_cast<int>(b)};
 }

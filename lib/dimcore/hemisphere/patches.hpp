@@ -30,9 +30,9 @@ class PatchSlice {
   double low2_, range2_, turn_per_sector_;
 };
 
-/// Unit hemisphere cut into a slices uniform in cos(theta) times b equal sectors of azimuth: a*b patches of the
-/// same solid angle 2 pi/(a b). Patch k = slice * b + sector; slice 0 lies on the horizon.
-/// physics.md section 3.
+/// Unit hemisphere cut into a slices uniform in cos(theta) times b equal sectors of azimuth: a*b patches of
+/// the same solid angle 2 pi/(a b). Patch k = slice * b + sector; slice 0 lies on the horizon. physics.md
+/// section 3.
 struct PatchGrid {
   int n_slices = 16;   ///< a >= 1
   int n_sectors = 32;  ///< b >= 1
@@ -42,8 +42,8 @@ struct PatchGrid {
   }
   double solid_angle_sr() const { return 2.0 * kPi / (static_cast<double>(n_slices) * n_sectors); }
 
-  /// Irradiance weight of every patch of a slice, cos(theta) times solid angle; over all patches they add up to
-  /// pi exactly.
+  /// Irradiance weight of every patch of a slice, cos(theta) times solid angle; over all patches they add up
+  /// to pi exactly.
   double weight_sr(int slice) const { return (slice + 0.5) / n_slices * solid_angle_sr(); }
 
   /// Direction in the cell's frame (z = normal) inside a patch. `s`, `t` in [0, 1): the density is

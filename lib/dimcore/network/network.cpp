@@ -177,6 +177,15 @@ void check_size(const Cells& cells, const Zone& zone, const NetworkOptions& opti
 
 }  // namespace
 
+PatchGrid automatic_point_patches(std::size_t n_points) {
+  constexpr std::size_t kRays = 1 << 19;
+  for (const int slices : {64, 48, 32, 24}) {
+    const PatchGrid patches{slices, 2 * slices};
+    if (n_points * patches.n_patches() <= kRays) return patches;
+  }
+  return {16, 32};
+}
+
 std::size_t network_bytes(std::size_t n_cells, std::size_t n_points, const NetworkOptions& options) {
   const std::size_t rays =
       n_cells * options.patches.n_patches() + n_points * options.point_patches.n_patches();

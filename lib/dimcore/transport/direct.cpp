@@ -18,16 +18,16 @@ namespace {
 constexpr double kNear = 0.6;
 constexpr int kMaxNearHalvings = 48;
 constexpr int kMaxHorizonHalvings = 4;
-// Rays that probe the visibility of a pair, and how many more where they disagree. Parts of a halved pair share
-// them. They are spread over cell and opening by chance, the same chance in every run: a fixed pattern would
-// miss the same strip of every cell along the foot of a cabinet.
+// Rays that probe the visibility of a pair, and how many more where they disagree. Parts of a halved pair
+// share them. They are spread over cell and opening by chance, the same chance in every run: a fixed pattern
+// would miss the same strip of every cell along the foot of a cabinet.
 constexpr int kProbeRays = 16;
 constexpr int kMinProbeRays = 4;
 constexpr int kShadowRays = 64;
 // Pairs that bring less than this share of the mean direct illuminance get a few rays only. Their mean is as
 // unbiased as the rest's, only coarser, and there are many of them.
-constexpr double kFaint = 3e-3;
-constexpr int kFaintRays = 4;
+constexpr double kFaint = 1e-2;
+constexpr int kFaintRays = 2;
 
 struct Interval {
   double low = 0.0, high = 1.0;
@@ -37,7 +37,8 @@ struct Interval {
   double at(double t) const { return low + t * length(); }
 };
 
-// A part of the pair cell x opening: axes 0, 1 run over the cell in metres, 2, 3 over the opening's unit square.
+// A part of the pair cell x opening: axes 0, 1 run over the cell in metres, 2, 3 over the opening's unit
+// square.
 using Part = std::array<Interval, 4>;
 
 struct Receiver {
@@ -75,7 +76,8 @@ class Integrator {
   double mean(const Receiver& receiver, const Part& pair) const {
     if (hidden_by_orientation(receiver, pair)) return 0.0;
     Chance chance{LowDiscrepancy4(receiver.stream ^ stream_)};
-    const Sum sum = is_faint(receiver, pair) ? faint(receiver, pair, chance) : integrate(receiver, pair, 0, 0, chance);
+    const Sum sum =
+        is_faint(receiver, pair) ? faint(receiver, pair, chance) : integrate(receiver, pair, 0, 0, chance);
     return sum.weight > 0.0 ? sum.value / sum.weight : 0.0;
   }
 
@@ -84,8 +86,8 @@ class Integrator {
     return luminaire_.at + luminaire_.to_world(sample(luminaire_.opening, {s, t}));
   }
 
-  // Whether the receiver lies wholly behind the opening (where that emits forwards only) or the opening wholly
-  // behind the receiver.
+  // Whether the receiver lies wholly behind the opening (where that emits forwards only) or the opening
+  // wholly behind the receiver.
   bool hidden_by_orientation(const Receiver& receiver, const Part& pair) const {
     const double reach_m = largest_dimension_m(luminaire_.opening);
     if (receiver.frame->height(luminaire_.at) <= -reach_m) return true;
@@ -123,7 +125,7 @@ class Integrator {
 
   Sum faint(const Receiver& receiver, const Part& pair, Chance& chance) const {
     Probe sum;
-    probe(sum, kFaintRays, receiver, pair, chance);
+    probe(sum, receiver.whole ? kFaintRays : kProbeRays, receiver, pair, chance);
     return {static_cast<double>(sum.n_inside) / sum.n, sum.visible / sum.n};
   }
 
@@ -144,8 +146,9 @@ class Integrator {
       sign[3] = sign[0] * sign[1] * sign[2];
       if (n == 4) sign = extended ? std::array{0, 0, sign[0], sign[1]} : std::array{sign[0], sign[1], 0, 0};
       if (n == 1) sign = {0, 0, 0, 0};
-      const double lx = unshadowed(receiver, receiver.frame->to_world({part[0].gauss(sign[0]), part[1].gauss(sign[1])}),
-                                   on_opening(part[2].gauss(sign[2]), part[3].gauss(sign[3])));
+      const double lx =
+          unshadowed(receiver, receiver.frame->to_world({part[0].gauss(sign[0]), part[1].gauss(sign[1])}),
+                     on_opening(part[2].gauss(sign[2]), part[3].gauss(sign[3])));
       n_lit += lx > 0.0;
       result.mean += lx / n;
     }
@@ -203,7 +206,8 @@ class Integrator {
     }
   }
 
-  Sum leaf(const Receiver& receiver, const Part& part, const Smooth& expected, int halvings, Chance& chance) const {
+  Sum leaf(const Receiver& receiver, const Part& part, const Smooth& expected, int halvings,
+           Chance& chance) const {
     if (receiver.whole && !(expected.mean > 0.0)) return {1.0, 0.0};
     const bool points = receiver.polygon == nullptr && opening_m_ == Vec2(0.0);
     int n = std::max(kMinProbeRays, kProbeRays >> std::min(halvings, 4));
@@ -230,9 +234,10 @@ double total_area_m2(const Zone& zone) {
 }
 
 double total_flux_lm(const Lights& lights) {
-  return std::accumulate(lights.luminaires.begin(), lights.luminaires.end(), 0.0, [&](double sum, const Luminaire& l) {
-    return sum + l.factor * lights.fittings[static_cast<std::size_t>(l.fitting)].intensity.flux_lm();
-  });
+  return std::accumulate(
+      lights.luminaires.begin(), lights.luminaires.end(), 0.0, [&](double sum, const Luminaire& l) {
+        return sum + l.factor * lights.fittings[static_cast<std::size_t>(l.fitting)].intensity.flux_lm();
+      });
 }
 
 Part whole_pair(const Vec2& low, const Vec2& high) {
@@ -272,7 +277,8 @@ DirectLight direct_light(const Zone& zone, const Cells& cells, const Lights& lig
     if (job.stopped()) return;
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       const Frame frame = frame_at(zone.points[i]);
-      add_all({&frame, nullptr, true, -1, mix(~i)}, whole_pair(Vec2(0.0), Vec2(0.0)), &result.point_lx[i * n_sources]);
+      add_all({&frame, nullptr, true, -1, mix(~i)}, whole_pair(Vec2(0.0), Vec2(0.0)),
+              &result.point_lx[i * n_sources]);
     }
   });
   job.check();

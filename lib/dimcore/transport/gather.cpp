@@ -20,7 +20,10 @@ class Block {
  public:
   Block(const Network& network, const Cells& cells, const std::vector<double>& direct,
         const std::vector<double>& reflectance, std::size_t n_columns, std::size_t first, std::size_t n)
-      : network_(network), cells_(cells), n_(n), width_((n + kColumnsPerLane - 1) / kColumnsPerLane * kColumnsPerLane) {
+      : network_(network),
+        cells_(cells),
+        n_(n),
+        width_((n + kColumnsPerLane - 1) / kColumnsPerLane * kColumnsPerLane) {
     const std::size_t n_cells = cells.size();
     direct_.assign(n_cells * width_, 0.0);
     rho_.assign(cells.n_surfaces() * width_, 0.0);
@@ -69,14 +72,14 @@ class Block {
   }
 
   // After report(): the exitances are those of the final irradiances, without the network's column scale.
-  void gather_points(const std::vector<double>& point_direct, std::vector<double>& point, std::size_t n_columns,
-                     std::size_t first) {
+  void gather_points(const std::vector<double>& point_direct, std::vector<double>& point,
+                     std::size_t n_columns, std::size_t first) {
     const std::size_t n_points = network_.point_sinks.n_rows();
     std::vector<double> sums(n_points * width_);
     unscale();
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n_points, 16), [&](const auto& rows) {
-      gather_rows(network_.point_sinks, network_.point_patches, nullptr, exitance_.data(), width_, rows.begin(),
-                  rows.end(), sums.data());
+      gather_rows(network_.point_sinks, network_.point_patches, nullptr, exitance_.data(), width_,
+                  rows.begin(), rows.end(), sums.data());
     });
     for (std::size_t p = 0; p < n_points; ++p) {
       for (std::size_t c = 0; c < n_; ++c)
@@ -85,8 +88,8 @@ class Block {
   }
 
  private:
-  // A first guess of the inter-reflected part: that of an integrating sphere of the same area and reflectances.
-  // It takes the slowest-settling share out of the iteration; the answer does not depend on it.
+  // A first guess of the inter-reflected part: that of an integrating sphere of the same area and
+  // reflectances. It takes the slowest-settling share out of the iteration; the answer does not depend on it.
   void add_ambient() {
     std::vector<double> reflected(width_, 0.0), taken(width_, 0.0);
     for (std::size_t i = 0; i < cells_.size(); ++i) {

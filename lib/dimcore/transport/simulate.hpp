@@ -19,8 +19,8 @@ struct SimulationOptions {
   GatherOptions gather;
 };
 
-/// Where one source's flux in one band went, W. emitted = absorbed + escaped + lost + dropped, but for what the
-/// sampling of direct light misses: `imbalance` is that difference over emitted.
+/// Where one source's flux in one band went, W. emitted = absorbed + escaped + lost + dropped, but for what
+/// the sampling of direct light misses: `imbalance` is that difference over emitted.
 struct EnergyBalance {
   double emitted_W = 0.0;
   double absorbed_W = 0.0;
@@ -63,7 +63,8 @@ struct Solution {
 
 /// Sends the light of all luminaires through the network.
 ///
-/// Direct light is computed once for all bands; bands in which every finish reflects alike share one solution.
+/// Direct light is computed once for all bands; bands in which every finish reflects alike share one
+/// solution.
 /// @throws InputError  finishes this version does not model (a specular part, glazing), reflectance >= 1
 /// @throws LimitError  when the solution does not fit job.memory_limit_bytes
 Solution simulate(const Zone& zone, const Cells& cells, const Network& network, const Lights& lights,
