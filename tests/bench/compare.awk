@@ -1,7 +1,7 @@
 # Compares two tables of `dimout grid` point by point: awk -F, -v plane=NAME -f compare.awk REFERENCE.csv MINE.csv
 # Points are matched by plane and place. Prints: points, mean lx, mean deviation %, RMS %, largest %.
 /^#/ { next }
-FNR == 1 { file++; for (i = 1; i <= NF; i++) column[file, $i] = i; next }
+$1 == "plane" { file++; for (i = 1; i <= NF; i++) column[file, $i] = i; next }
 {
   if (plane != "" && $column[file, "plane"] != plane) next
   key = sprintf("%s %.3f %.3f %.3f", $column[file, "plane"], $column[file, "x_m"], $column[file, "y_m"], $column[file, "z_m"])
