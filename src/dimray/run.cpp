@@ -128,17 +128,19 @@ Exit SolveCommand::report(const RaysFile& rays, const Solution& solution, const 
     bound = std::max(bound, source.error_bound);
     residual = std::max(residual, source.residual);
     iterations = std::max(iterations, source.iterations);
+    double source_worst = 0.0;
     for (const auto& e : source.energy) {
       sum.emitted_W += e.emitted_W;
       sum.absorbed_W += e.absorbed_W;
       sum.escaped_W += e.escaped_W;
       sum.lost_W += e.lost_W;
       sum.dropped_W += e.dropped_W;
-      worst = std::max(worst, std::abs(e.imbalance));
+      source_worst = std::max(source_worst, std::abs(e.imbalance));
     }
+    worst = std::max(worst, source_worst);
     stats["sources"].push_back({{"name", source.name},
                                 {"flux_lm", source.flux_lm},
-                                {"imbalance", source.energy.empty() ? 0.0 : source.energy[0].imbalance},
+                                {"imbalance", source_worst},
                                 {"error_bound", source.error_bound}});
   }
   const double scale = sum.emitted_W > 0.0 ? 100.0 / sum.emitted_W : 0.0;
