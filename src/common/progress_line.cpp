@@ -22,8 +22,8 @@ void ProgressLine::show(const std::string& stage, double fraction) {
   fraction = std::clamp(fraction, 0.0, 1.0);
   const int filled = static_cast<int>(fraction * kWidth);
   const double left_s = fraction > 0.0 ? elapsed_s * (1.0 - fraction) / fraction : 0.0;
-  std::cerr << fmt::format("\r{}: {:<8} [{:#<{}}{:.<{}}] {:3.0f} %  {:.0f} s left \033[K", program_, stage, "", filled,
-                           "", kWidth - filled, 100.0 * fraction, left_s)
+  std::cerr << fmt::format("\r{}: {:<8} [{:#<{}}{:.<{}}] {:3.0f} %  {:.0f} s left \033[K", program_, stage,
+                           "", filled, "", kWidth - filled, 100.0 * fraction, left_s)
             << std::flush;
 }
 

@@ -39,7 +39,8 @@ std::string Table::csv() const {
     }
     out.push_back('\n');
   };
-  line(columns_, [&](const std::string& name) { fmt::format_to(std::back_inserter(out), "{}", csv_field(name)); });
+  line(columns_,
+       [&](const std::string& name) { fmt::format_to(std::back_inserter(out), "{}", csv_field(name)); });
   for (const auto& row : rows_) line(row, [&](const Value& value) { append_csv(out, value); });
   return fmt::to_string(out);
 }
