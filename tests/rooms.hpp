@@ -16,7 +16,8 @@ inline int add_grey(Zone& zone, double reflectance) {
   return static_cast<int>(zone.finishes.size()) - 1;
 }
 
-inline void add_surface(Zone& zone, const std::string& name, const Ring3& corners, int finish, double cell_m) {
+inline void add_surface(Zone& zone, const std::string& name, const Ring3& corners, int finish,
+                        double cell_m) {
   Surface surface;
   surface.name = name;
   surface.polygon = Polygon(corners);
@@ -26,9 +27,11 @@ inline void add_surface(Zone& zone, const std::string& name, const Ring3& corner
 }
 
 /// Box seen from inside, or with `outward` a closed obstruction. Faces: floor, ceiling, y0, y1, x0, x1.
-inline void add_box(Zone& zone, const std::string& name, const Vec3& lo, const Vec3& hi, int finish, double cell_m,
-                    bool outward = false) {
-  const auto at = [&](int x, int y, int z) { return Vec3(x ? hi.x : lo.x, y ? hi.y : lo.y, z ? hi.z : lo.z); };
+inline void add_box(Zone& zone, const std::string& name, const Vec3& lo, const Vec3& hi, int finish,
+                    double cell_m, bool outward = false) {
+  const auto at = [&](int x, int y, int z) {
+    return Vec3(x ? hi.x : lo.x, y ? hi.y : lo.y, z ? hi.z : lo.z);
+  };
   const std::vector<std::pair<std::string, Ring3>> faces = {
       {"floor", {at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0)}},
       {"ceiling", {at(0, 0, 1), at(0, 1, 1), at(1, 1, 1), at(1, 0, 1)}},

@@ -20,13 +20,15 @@ void warn_about_points(const Program& program, const Zone& zone, const Network& 
   Warnings warnings;
   for (const auto& set : zone.point_sets) {
     std::size_t n_inside = 0;
-    for (std::size_t p = set.first; p < set.first + set.count; ++p) n_inside += network.point_back_fraction[p] > 0.5;
+    for (std::size_t p = set.first; p < set.first + set.count; ++p)
+      n_inside += network.point_back_fraction[p] > 0.5;
     if (n_inside > 0)
-      warnings.push_back({{},
-                          fmt::format("'{}': {} of {} points see mostly the backs of surfaces; they seem to lie inside an "
-                                      "obstruction or outside the zone",
-                                      set.name, n_inside, set.count),
-                          "move the points or the plane"});
+      warnings.push_back(
+          {{},
+           fmt::format("'{}': {} of {} points see mostly the backs of surfaces; they seem to lie inside an "
+                       "obstruction or outside the zone",
+                       set.name, n_inside, set.count),
+           "move the points or the plane"});
   }
   program.warn(warnings);
 }
@@ -39,11 +41,15 @@ DiscretiseCommand::DiscretiseCommand(Program& program) : program_(program) {
   app.add_option("-o,--output", output_, "Ray network to write, - for standard output")->type_name("FILE");
   app.add_option("--patches", patches_, "Hemisphere patches of a cell: AxB (slices x sectors) or a total")
       ->group("Accuracy");
-  app.add_option("--point-patches", point_patches_, "Hemisphere patches of a measuring point")->group("Accuracy");
-  app.add_option("--sampling", sampling_, "Where rays lie: stratified, or centre (cell centre through patch centroid)")
+  app.add_option("--point-patches", point_patches_,
+                 "Hemisphere patches of a measuring point; auto: more where points are few")
+      ->group("Accuracy");
+  app.add_option("--sampling", sampling_,
+                 "Where rays lie: stratified, or centre (cell centre through patch centroid)")
       ->check(CLI::IsMember({"stratified", "centre"}))
       ->group("Accuracy");
-  app.add_flag("--family", family_, "Join cells that no ray hits to the ray of their patch")->group("Accuracy");
+  app.add_flag("--family", family_, "Join cells that no ray hits to the ray of their patch")
+      ->group("Accuracy");
   app.add_option("--seed", seed_, "Number of the pattern of rays")->group("Accuracy");
   program.add_common_options(app);
 }
@@ -64,6 +70,8 @@ Exit DiscretiseCommand::run() {
   const Zone zone = read_zone(program_, input_);
   program_.stage("cells");
   const Cells cells(zone);
+  options.point_patches = point_patches_ == "auto" ? automatic_point_patches(zone.points.size())
+                                                   : parse_patches(point_patches_, "--point-patches");
   program_.stage("rays");
   const Job job = program_.job();
   const Network network = build_network(zone, cells, options, job);
@@ -74,8 +82,8 @@ Exit DiscretiseCommand::run() {
   warn_about_points(program_, zone, network);
   const std::size_t n_rays = network.sinks.n_rays() + network.point_sinks.n_rays();
   program_.say_verbose(fmt::format("{} surfaces, {} cells x {} patches, {} points x {} patches: {} rays",
-                                   zone.surfaces.size(), cells.size(), options.patches.n_patches(), zone.points.size(),
-                                   options.point_patches.n_patches(), n_rays));
+                                   zone.surfaces.size(), cells.size(), options.patches.n_patches(),
+                                   zone.points.size(), options.point_patches.n_patches(), n_rays));
   auto& stats = program_.stats();
   stats["zone"] = zone.name;
   stats["surfaces"] = zone.surfaces.size();

@@ -23,7 +23,8 @@ GeometryCommands::GeometryCommands(Program& program) : program_(program) {
   view_factors_->add_option("--rays", rays_, "Rays from each surface; the error falls about as their root")
       ->check(CLI::Range(1, 100'000'000))
       ->group("Accuracy");
-  draw_ = add("draw", "Hidden-line perspective as SVG", "  dimdis draw office.zone.toml --view door -o door.svg");
+  draw_ =
+      add("draw", "Hidden-line perspective as SVG", "  dimdis draw office.zone.toml --view door -o door.svg");
   draw_->add_option("--view", view_, "View of the zone file; its first one unless said")->type_name("NAME");
 }
 
@@ -53,8 +54,9 @@ bool GeometryCommands::run(Exit& status) {
 Exit GeometryCommands::check() {
   const Zone zone = read_zone(program_, input_);
   const Cells cells(zone);
-  program_.say(fmt::format("zone '{}' is good: {} surfaces, {} cells, {} measuring points, {} views, {}", zone.name,
-                           zone.surfaces.size(), cells.size(), zone.points.size(), zone.views.size(),
+  program_.say(fmt::format("zone '{}' is good: {} surfaces, {} cells, {} measuring points, {} views, {}",
+                           zone.name, zone.surfaces.size(), cells.size(), zone.points.size(),
+                           zone.views.size(),
                            zone.closed ? fmt::format("{:.6g} m3", zone_volume_m3(zone)) : "not closed"));
   return Exit::done;
 }
@@ -86,10 +88,11 @@ Exit GeometryCommands::factors() {
   for (std::size_t i = 0; i < factors.rows.size(); ++i) {
     for (const auto& entry : factors.rows[i])
       table.add({zone.surfaces[i].name, zone.surfaces[entry.to].name, entry.value});
-    worst_row = std::max(worst_row, std::abs(factors.row_sums[i] + factors.escaped[i] + factors.behind[i] - 1.0));
+    worst_row =
+        std::max(worst_row, std::abs(factors.row_sums[i] + factors.escaped[i] + factors.behind[i] - 1.0));
     escaped = std::max(escaped, factors.escaped[i] + factors.behind[i]);
-    program_.say_verbose(fmt::format("{}: row sum {:.6f}, escaped {:.6f}", zone.surfaces[i].name, factors.row_sums[i],
-                                     factors.escaped[i] + factors.behind[i]));
+    program_.say_verbose(fmt::format("{}: row sum {:.6f}, escaped {:.6f}", zone.surfaces[i].name,
+                                     factors.row_sums[i], factors.escaped[i] + factors.behind[i]));
   }
   write_file(output_, table.csv());
   program_.stage("");

@@ -33,7 +33,7 @@ class DiscretiseCommand {
   ZoneInput input_;
   std::string output_;
   std::string patches_ = "16x32";
-  std::string point_patches_ = "32x64";
+  std::string point_patches_ = "auto";
   std::string sampling_ = "stratified";
   bool family_ = false;
   std::uint64_t seed_ = 1;

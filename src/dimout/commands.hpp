@@ -20,8 +20,8 @@ struct DatabaseInput {
 };
 
 /// Adds a subcommand with ROOM.lum, --mix and the common options.
-CLI::App* add_command(Program& program, DatabaseInput& input, const std::string& name, const std::string& what,
-                      const std::string& example);
+CLI::App* add_command(Program& program, DatabaseInput& input, const std::string& name,
+                      const std::string& what, const std::string& example);
 void add_table_options(CLI::App& command, DatabaseInput& input, bool by_source);
 
 /// The factors that --mix asks for.

@@ -47,7 +47,8 @@ ImageCommand::ImageCommand(Program& program) : program_(program) {
                        "dimout image office.lum --view door -o door.png\n"
                        "  dimout image office.lum --view plan --tone falsecolour --range 0:1000 -o lux.png");
   auto& app = *image_;
-  app.add_option("-o,--output", input_.output, "Picture to write; the name's ending says the format: png, hdr, exr")
+  app.add_option("-o,--output", input_.output,
+                 "Picture to write; the name's ending says the format: png, hdr, exr")
       ->required()
       ->type_name("FILE");
   app.add_option("--view", view_, "View of the zone file; its first one unless said")->type_name("NAME");
@@ -55,7 +56,8 @@ ImageCommand::ImageCommand(Program& program) : program_(program) {
   app.add_option("--samples", samples_, "Rays through each pixel: N x N")->check(CLI::Range(1, 16));
   app.add_option("--shade", shade_, "cell: flat cells; smooth: interpolated within each surface")
       ->check(CLI::IsMember({"cell", "smooth"}));
-  app.add_option("--tone", tone_, "linear: display luminance in proportion; falsecolour: figures with a legend")
+  app.add_option("--tone", tone_,
+                 "linear: display luminance in proportion; falsecolour: figures with a legend")
       ->check(CLI::IsMember({"linear", "falsecolour"}));
   app.add_option("--white", white_cd_m2_, "Luminance shown as white, cd/m2; 0: found from the picture")
       ->check(number_within(0.0, HUGE_VAL))
@@ -64,7 +66,9 @@ ImageCommand::ImageCommand(Program& program) : program_(program) {
   app.add_option("--quantity", quantity_, "What false colour shows")
       ->check(CLI::IsMember({"illuminance", "luminance"}))
       ->group("False colour");
-  app.add_option("--range", range_, "Ends of the scale; either may be left out")->type_name("LOW:HIGH")->group("False colour");
+  app.add_option("--range", range_, "Ends of the scale; either may be left out")
+      ->type_name("LOW:HIGH")
+      ->group("False colour");
   app.add_flag("--log", logarithmic_, "Logarithmic scale")->group("False colour");
 }
 
@@ -110,10 +114,10 @@ void ImageCommand::render() {
   program_.stage("");
   program_.warn(report.warnings);
   if (*format == PictureFormat::png && picture.tone == Tone::linear)
-    program_.say(fmt::format("{} x {}, {:.4g} cd/m2 shown as white{}; {} pixels brighter, {} outside the display's colours",
-                             report.width, report.height, report.display_white_cd_m2,
-                             report.automatic_exposure ? " (automatic)" : "", report.n_above_white,
-                             report.n_out_of_gamut));
+    program_.say(fmt::format(
+        "{} x {}, {:.4g} cd/m2 shown as white{}; {} pixels brighter, {} outside the display's colours",
+        report.width, report.height, report.display_white_cd_m2,
+        report.automatic_exposure ? " (automatic)" : "", report.n_above_white, report.n_out_of_gamut));
 }
 
 }  // namespace dim

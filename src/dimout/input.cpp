@@ -26,7 +26,8 @@ void add_table_options(CLI::App& command, DatabaseInput& input, bool by_source) 
   if (by_source)
     command
         .add_option_function<std::string>(
-            "--by", [&input](const std::string&) { input.by_source = true; }, "Each source apart: --by source")
+            "--by", [&input](const std::string&) { input.by_source = true; },
+            "Each source apart: --by source")
         ->check(CLI::IsMember({"source"}));
 }
 

@@ -33,13 +33,15 @@ double worst_imbalance(const Source& source) {
 }  // namespace
 
 TableCommands::TableCommands(Program& program) : program_(program) {
-  info_ = add_command(program, input_, "info", "What is in a luminance database, its energy balance and errors",
-                      "dimout info office.lum");
+  info_ =
+      add_command(program, input_, "info", "What is in a luminance database, its energy balance and errors",
+                  "dimout info office.lum");
   add_table_options(*info_, input_, false);
   surfaces_ = add_command(program, input_, "surfaces", "Illuminance, luminance and colour of every surface",
                           "dimout surfaces office.lum --by source");
   add_table_options(*surfaces_, input_, true);
-  cells_ = add_command(program, input_, "cells", "Illuminance and luminance of every cell", "dimout cells office.lum");
+  cells_ = add_command(program, input_, "cells", "Illuminance and luminance of every cell",
+                       "dimout cells office.lum");
   add_table_options(*cells_, input_, false);
   grid_ = add_command(program, input_, "grid", "Illuminance at the measuring points",
                       "dimout grid office.lum --plane workplane --stats");
@@ -75,15 +77,15 @@ void TableCommands::info() {
                                  {"hash", database.hash()},
                                  {"rays_hash", database.rays_hash()},
                                  {"sources", nlohmann::ordered_json::array()}};
-  std::string text = fmt::format("zone {}: {} surfaces, {} cells, {} measuring points, {} waveband{}\n", zone.name,
-                                 zone.surfaces.size(), database.n_cells(), zone.points.size(), database.bands().size(),
-                                 database.bands().size() == 1 ? "" : "s");
+  std::string text = fmt::format("zone {}: {} surfaces, {} cells, {} measuring points, {} waveband{}\n",
+                                 zone.name, zone.surfaces.size(), database.n_cells(), zone.points.size(),
+                                 database.bands().size(), database.bands().size() == 1 ? "" : "s");
   text += fmt::format("{:<24} {:<16} {:>12} {:>12} {:>12}\n", "source", "group", "flux, lm", "imbalance, %",
                       "error <=, %");
   for (const auto& source : database.sources()) {
     const double imbalance = worst_imbalance(source);
-    text += fmt::format("{:<24} {:<16} {:>12.6g} {:>+12.4f} {:>12.2g}\n", source.name, source.group, source.flux_lm,
-                        100.0 * imbalance, 100.0 * source.error_bound);
+    text += fmt::format("{:<24} {:<16} {:>12.6g} {:>+12.4f} {:>12.2g}\n", source.name, source.group,
+                        source.flux_lm, 100.0 * imbalance, 100.0 * source.error_bound);
     json["sources"].push_back({{"name", source.name},
                                {"group", source.group},
                                {"luminaires", source.luminaires},
@@ -106,9 +108,9 @@ void TableCommands::surfaces() {
     for (std::size_t s = 0; s < figures.size(); ++s) {
       if (database.zone().surfaces[s].outside) continue;
       const auto& f = figures[s];
-      table.add(row(source, {database.zone().surfaces[s].name, f.area_m2, f.illuminance_mean_lx, f.illuminance_min_lx,
-                             f.illuminance_max_lx, f.xyz_mean_cd_m2.y, chromaticity(f.xyz_mean_cd_m2, 0),
-                             chromaticity(f.xyz_mean_cd_m2, 1)}));
+      table.add(row(source, {database.zone().surfaces[s].name, f.area_m2, f.illuminance_mean_lx,
+                             f.illuminance_min_lx, f.illuminance_max_lx, f.xyz_mean_cd_m2.y,
+                             chromaticity(f.xyz_mean_cd_m2, 0), chromaticity(f.xyz_mean_cd_m2, 1)}));
     }
   });
   write_table(program_, table, input_);
@@ -146,13 +148,15 @@ void TableCommands::grid() {
   const auto sets = chosen_sets(zone);
   if (sets.empty()) program_.say("the zone has no measuring planes or sensors");
   if (stats_) return grid_stats(database, sets);
-  Table table(columns_with_source(input_, {"plane", "point", "x_m", "y_m", "z_m", "nx", "ny", "nz", "illuminance_lx"}));
+  Table table(columns_with_source(
+      input_, {"plane", "point", "x_m", "y_m", "z_m", "nx", "ny", "nz", "illuminance_lx"}));
   for_sources(database, input_, [&](const std::string& source, const Mix& mix) {
     const auto lx = point_illuminance_lx(database, mix);
     for (const auto& set : sets) {
       for (std::size_t p = set.first; p < set.first + set.count; ++p) {
         const Vec3 at = zone.points[p].position + zone.origin_m, n = zone.points[p].normal;
-        table.add(row(source, {set.name, static_cast<long>(p - set.first), at.x, at.y, at.z, n.x, n.y, n.z, lx[p]}));
+        table.add(row(source,
+                      {set.name, static_cast<long>(p - set.first), at.x, at.y, at.z, n.x, n.y, n.z, lx[p]}));
       }
     }
   });
@@ -165,7 +169,8 @@ void TableCommands::grid_stats(const LuminanceDatabase& database, const std::vec
     const auto lx = point_illuminance_lx(database, mix);
     for (const auto& set : sets) {
       const auto s = grid_statistics(lx, set);
-      table.add(row(source, {set.name, static_cast<long>(s.n_points), s.min_lx, s.mean_lx, s.max_lx, s.u0, s.ud}));
+      table.add(
+          row(source, {set.name, static_cast<long>(s.n_points), s.min_lx, s.mean_lx, s.max_lx, s.u0, s.ud}));
     }
   });
   write_table(program_, table, input_);

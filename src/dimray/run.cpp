@@ -28,7 +28,8 @@ void replace_finish(Zone& zone, const std::string& text, const DatabaseSearch& s
     char* end = nullptr;
     const double grey = std::strtod(entry.c_str(), &end);
     if (!entry.empty() && *end == '\0') {
-      if (!(grey >= 0.0 && grey <= 1.0)) throw UsageError("--finish '" + text + "': a reflectance is within 0..1");
+      if (!(grey >= 0.0 && grey <= 1.0))
+        throw UsageError("--finish '" + text + "': a reflectance is within 0..1");
       finish = Finish{};
       finish.diffuse = SpectralCurve(grey);
       finish.source = "command line";
@@ -46,7 +47,9 @@ void replace_finish(Zone& zone, const std::string& text, const DatabaseSearch& s
 
 SolveCommand::SolveCommand(Program& program) : program_(program) {
   auto& app = program.app();
-  app.add_option("ROOM.rays", rays_, "Ray network made by dimdis, - for standard input")->required()->type_name("");
+  app.add_option("ROOM.rays", rays_, "Ray network made by dimdis, - for standard input")
+      ->required()
+      ->type_name("");
   app.add_option("LIGHTS.toml", lights_, "Lights file, - for standard input")->required()->type_name("");
   app.add_option("-o,--output", output_, "Luminance database to write, - for standard output")
       ->required()
@@ -65,7 +68,8 @@ SolveCommand::SolveCommand(Program& program) : program_(program) {
       ->default_str("")
       ->group("Input");
   add_database_option(app, database_);
-  app.add_option("--combine", combine_, "What is solved and stored apart: each luminaire, group, or all as one")
+  app.add_option("--combine", combine_,
+                 "What is solved and stored apart: each luminaire, group, or all as one")
       ->check(CLI::IsMember({"each", "group", "all"}))
       ->group("Accuracy");
   app.add_option("--tolerance", tolerance_, "Stop when no cell changes by more than this share of the mean")
@@ -81,7 +85,8 @@ SolveCommand::SolveCommand(Program& program) : program_(program) {
 SimulationOptions SolveCommand::options() const {
   SimulationOptions options;
   options.bands = Bands::uniform(n_bands_);
-  options.combine = combine_ == "each" ? Combine::each : (combine_ == "group" ? Combine::group : Combine::all);
+  options.combine =
+      combine_ == "each" ? Combine::each : (combine_ == "group" ? Combine::group : Combine::all);
   options.gather.tolerance = tolerance_;
   return options;
 }
@@ -131,28 +136,32 @@ Exit SolveCommand::report(const RaysFile& rays, const Solution& solution, const 
     bound = std::max(bound, source.error_bound);
     residual = std::max(residual, source.residual);
     iterations = std::max(iterations, source.iterations);
+    double source_worst = 0.0;
     for (const auto& e : source.energy) {
       sum.emitted_W += e.emitted_W;
       sum.absorbed_W += e.absorbed_W;
       sum.escaped_W += e.escaped_W;
       sum.lost_W += e.lost_W;
       sum.dropped_W += e.dropped_W;
-      worst = std::max(worst, std::abs(e.imbalance));
+      source_worst = std::max(source_worst, std::abs(e.imbalance));
     }
+    worst = std::max(worst, source_worst);
     stats["sources"].push_back({{"name", source.name},
                                 {"flux_lm", source.flux_lm},
-                                {"imbalance", source.energy.empty() ? 0.0 : source.energy[0].imbalance},
+                                {"imbalance", source_worst},
                                 {"error_bound", source.error_bound}});
   }
   const double scale = sum.emitted_W > 0.0 ? 100.0 / sum.emitted_W : 0.0;
   const double imbalance =
       1e-2 * scale * (sum.emitted_W - sum.absorbed_W - sum.escaped_W - sum.lost_W - sum.dropped_W);
-  program_.say(fmt::format("{} sources, {:.6g} lm; absorbed {:.3f} %, escaped {:.3f} %, lost {:.3f} %, dropped {:.4f} %, "
-                           "imbalance {:+.4f} % (worst source {:.4f} %)",
-                           solution.sources.size(), flux_lm, sum.absorbed_W * scale, sum.escaped_W * scale,
-                           sum.lost_W * scale, sum.dropped_W * scale, 100.0 * imbalance, 100.0 * worst));
-  program_.say(fmt::format("inter-reflection cut after {} iterations, error at most {:.2g} % of a source's mean",
-                           iterations, 100.0 * bound));
+  program_.say(fmt::format(
+      "{} sources, {:.6g} lm; absorbed {:.3f} %, escaped {:.3f} %, lost {:.3f} %, dropped {:.4f} %, "
+      "imbalance {:+.4f} % (worst source {:.4f} %)",
+      solution.sources.size(), flux_lm, sum.absorbed_W * scale, sum.escaped_W * scale, sum.lost_W * scale,
+      sum.dropped_W * scale, 100.0 * imbalance, 100.0 * worst));
+  program_.say(
+      fmt::format("inter-reflection cut after {} iterations, error at most {:.2g} % of a source's mean",
+                  iterations, 100.0 * bound));
   stats["zone"] = rays.zone.name;
   stats["cells"] = solution.n_cells;
   stats["points"] = solution.n_points;
@@ -161,14 +170,16 @@ Exit SolveCommand::report(const RaysFile& rays, const Solution& solution, const 
   stats["iterations"] = iterations;
   stats["residual"] = residual;
   stats["error_bound"] = bound;
-  stats["energy"] = {{"emitted_W", sum.emitted_W},   {"absorbed_W", sum.absorbed_W}, {"escaped_W", sum.escaped_W},
-                     {"lost_W", sum.lost_W},         {"dropped_W", sum.dropped_W},   {"imbalance", imbalance},
+  stats["energy"] = {{"emitted_W", sum.emitted_W},     {"absorbed_W", sum.absorbed_W},
+                     {"escaped_W", sum.escaped_W},     {"lost_W", sum.lost_W},
+                     {"dropped_W", sum.dropped_W},     {"imbalance", imbalance},
                      {"worst_source_imbalance", worst}};
   stats["input_hash"] = rays.hash;
   stats["output_hash"] = hash;
   if (residual > tolerance_ || std::abs(imbalance) > kGoodBalance) {
-    program_.say(residual > tolerance_ ? "the accuracy asked for was not reached"
-                                       : "the energy balance is open by more than 0.2 %; use a smaller --cell");
+    program_.say(residual > tolerance_
+                     ? "the accuracy asked for was not reached"
+                     : "the energy balance is open by more than 0.2 %; use a smaller --cell");
     return Exit::check_failed;
   }
   return Exit::done;

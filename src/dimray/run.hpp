@@ -29,7 +29,7 @@ class SolveCommand {
   std::vector<std::string> finishes_;
   std::string database_;
   std::string combine_ = "each";
-  double tolerance_ = 1e-4;
+  double tolerance_ = GatherOptions{}.tolerance;
   int n_bands_ = 1;
 };
 

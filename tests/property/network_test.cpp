@@ -31,7 +31,8 @@ TEST_CASE("Ten polygons of a hundred cells at fifty patches give the paper's 50,
   test::add_box(zone, "room.", {-5, -5, -5}, {5, 5, 5}, grey, 1.0);
   for (int i = 0; i < 4; ++i) {
     const double z = -4.0 + i;
-    test::add_surface(zone, "shelf" + std::to_string(i), {{-1, -1, z}, {1, -1, z}, {1, 1, z}, {-1, 1, z}}, grey, 0.2);
+    test::add_surface(zone, "shelf" + std::to_string(i), {{-1, -1, z}, {1, -1, z}, {1, 1, z}, {-1, 1, z}},
+                      grey, 0.2);
   }
   const Cells cells(zone);
   REQUIRE(zone.surfaces.size() == 10);
@@ -87,7 +88,8 @@ TEST_CASE("A balanced network sends what it receives and keeps a uniform enclosu
   CHECK(off_m2 / area_m2 < tolerance);
 }
 
-TEST_CASE("View factors of the network agree with the closed form for opposed squares", "[network][validation]") {
+TEST_CASE("View factors of the network agree with the closed form for opposed squares",
+          "[network][validation]") {
   const Zone zone = test::box_zone({1, 1, 1}, 0.5, 0.1);
   const Cells cells(zone);
   NetworkOptions options;
@@ -127,7 +129,8 @@ TEST_CASE("Families reach cells that no ray hits and conserve each row", "[netwo
   CHECK(n_reached == n - n_own_surface);
 }
 
-TEST_CASE("The same network comes out of every run and a different one from another seed", "[network][property]") {
+TEST_CASE("The same network comes out of every run and a different one from another seed",
+          "[network][property]") {
   const Zone zone = furnished_room();
   NetworkOptions options;
   options.patches = {6, 12};
@@ -147,12 +150,14 @@ TEST_CASE("An open zone lets rays out and its rows fall short by the open share"
   const Network network = build_network(zone, cells, options, Job{});
   const auto rows = apply_rows(network, std::vector<double>(cells.size(), 1.0));
   double escaped = 0.0;
-  for (std::size_t i = cells.first(0); i < cells.first(1); ++i) escaped += (1.0 - rows[i]) * cells.area_m2(i) / 4.0;
+  for (std::size_t i = cells.first(0); i < cells.first(1); ++i)
+    escaped += (1.0 - rows[i]) * cells.area_m2(i) / 4.0;
   CHECK(network.is_open());
   CHECK(escaped == Approx(0.199825).epsilon(3e-3));
 }
 
-TEST_CASE("A network that does not fit is refused with the size and the option that helps", "[network][unit]") {
+TEST_CASE("A network that does not fit is refused with the size and the option that helps",
+          "[network][unit]") {
   const Zone zone = test::box_zone({2, 2, 2}, 0.5, 0.1);
   Job job;
   job.memory_limit_bytes = 1000;

@@ -49,5 +49,6 @@ TEST_CASE("A curve's mean is exact for straight lines and constant beyond its en
 
 TEST_CASE("The product of two ramps integrates to the cubic's exact value", "[spectrum][unit]") {
   const SpectralCurve ramp({{0, 0.0}, {600, 600.0}});
-  CHECK(integral_of_product(ramp, ramp, 400, 500) == Approx((500.0 * 500 * 500 - 400.0 * 400 * 400) / 3).epsilon(1e-14));
+  CHECK(integral_of_product(ramp, ramp, 400, 500) ==
+        Approx((500.0 * 500 * 500 - 400.0 * 400 * 400) / 3).epsilon(1e-14));
 }

@@ -28,9 +28,10 @@ TEST_CASE("Every direction drawn in a patch lies in that patch", "[hemisphere][p
   }
 }
 
-TEST_CASE("Inside a patch the mean of 1/cos over draws is what cosine density makes it", "[hemisphere][unit]") {
-  // With density proportional to cos over cos in [c0, c1], E[1/cos] = 2/(c0 + c1): the weight w_k = cos_k omega
-  // is then unbiased, because w_k * E[1/cos] equals the patch's plain solid angle.
+TEST_CASE("Inside a patch the mean of 1/cos over draws is what cosine density makes it",
+          "[hemisphere][unit]") {
+  // With density proportional to cos over cos in [c0, c1], E[1/cos] = 2/(c0 + c1): the weight w_k = cos_k
+  // omega is then unbiased, because w_k * E[1/cos] equals the patch's plain solid angle.
   const PatchGrid grid{4, 8};
   double sum = 0.0;
   constexpr int kDraws = 20000;

@@ -4,7 +4,8 @@
 
 using namespace dim;
 
-TEST_CASE("A rectangle's frame has u along its longest edge and the origin at its corner", "[geometry][unit]") {
+TEST_CASE("A rectangle's frame has u along its longest edge and the origin at its corner",
+          "[geometry][unit]") {
   const Polygon floor({{0, 0, 0}, {2, 0, 0}, {2, 5, 0}, {0, 5, 0}});
   CHECK(floor.size_m().x == Approx(5));
   CHECK(floor.size_m().y == Approx(2));

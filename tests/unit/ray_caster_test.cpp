@@ -10,7 +10,9 @@ namespace {
 
 /// Inward-facing faces of a box.
 std::vector<Polygon> box_m(const Vec3& lo, const Vec3& hi) {
-  const auto at = [&](int x, int y, int z) { return Vec3(x ? hi.x : lo.x, y ? hi.y : lo.y, z ? hi.z : lo.z); };
+  const auto at = [&](int x, int y, int z) {
+    return Vec3(x ? hi.x : lo.x, y ? hi.y : lo.y, z ? hi.z : lo.z);
+  };
   return {Polygon({at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0)}),
           Polygon({at(0, 0, 1), at(0, 1, 1), at(1, 1, 1), at(1, 0, 1)}),
           Polygon({at(0, 0, 0), at(0, 0, 1), at(1, 0, 1), at(1, 0, 0)}),
@@ -39,7 +41,7 @@ TEST_CASE("No ray leaves a closed box, not even one aimed at an edge or a corner
       if (i % 4 < 3) target.x = 3.7 * scale;
       if (i % 4 < 2) target.y = -2.9 * scale;
       if (i % 4 < 1) target.z = 1.4 * scale;
-      const Hit hit = caster.nearest(from, target - from);
+      const Hit hit = caster.nearest(from, glm::normalize(target - from));
       REQUIRE(hit.plate >= 0);
       CHECK_FALSE(hit.back);
     }

@@ -105,6 +105,8 @@ vertices = [[4,0,0],[4,0,2],[5,0,2],[5,0,0]]
   CHECK(area_of(zone, "pane") == Approx(1.8 * 0.8).epsilon(1e-13));
   CHECK(zone.surfaces[static_cast<std::size_t>(find(zone, "pane")->parent)].name == "window");
   CHECK(find(zone, "pane")->bounding);
+  CHECK_FALSE(find(zone, "south")->fills_rectangle);
+  CHECK(find(zone, "pane")->fills_rectangle);
   CHECK(zone.volume_m3 == Approx(72));
 }
 
@@ -122,6 +124,10 @@ size = [1,0.4,2]
   CHECK(area_of(zone, "floor") == Approx(24 - 0.4).epsilon(1e-13));
   CHECK(area_of(zone, "north") == Approx(18 - 2).epsilon(1e-13));
   CHECK(zone.volume_m3 == Approx(72));
+  // What they lack of a rectangle lies under the cabinet.
+  CHECK_FALSE(find(zone, "floor")->polygon.is_rectangle());
+  CHECK(find(zone, "floor")->fills_rectangle);
+  CHECK(find(zone, "north")->fills_rectangle);
 }
 
 TEST_CASE("A plane's points are the middles of squares of at most the spacing", "[scene][unit]") {

@@ -6,7 +6,8 @@
 
 namespace dim {
 
-/// Mixes a 64-bit value so that every bit depends on every other (finaliser of SplitMix64, Steele et al. 2014).
+/// Mixes a 64-bit value so that every bit depends on every other (finaliser of SplitMix64, Steele et al.
+/// 2014).
 inline std::uint64_t mix(std::uint64_t x) {
   x += 0x9E3779B97F4A7C15ULL;
   x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9ULL;
@@ -35,8 +36,8 @@ class LowDiscrepancy4 {
   }
 
  private:
-  static constexpr std::array<std::uint64_t, 4> kStep = {
-      0xDB4F0B9175AE2165ULL, 0xBBE0563303A4615FULL, 0xA0F2EC75A1FE1575ULL, 0x89E182857D9ED689ULL};
+  static constexpr std::array<std::uint64_t, 4> kStep = {0xDB4F0B9175AE2165ULL, 0xBBE0563303A4615FULL,
+                                                         0xA0F2EC75A1FE1575ULL, 0x89E182857D9ED689ULL};
   std::array<std::uint64_t, 4> offset_{};
 };
 

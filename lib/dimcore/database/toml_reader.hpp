@@ -13,7 +13,6 @@
 
 #include "base/error.hpp"
 #include "base/vec.hpp"
-#include "base/vec.hpp"
 #include "spectrum/curve.hpp"
 
 /// Typed reading of TOML text, shared by zone, lights and database files: every problem is reported with its

@@ -11,17 +11,17 @@ namespace dim {
 
 /// One finite element of a surface: a grid square clipped to the polygon, in the polygon's local frame.
 struct GridCell {
-  Vec2 low{0.0};       ///< bounds of the square
+  Vec2 low{0.0};  ///< bounds of the square
   Vec2 high{0.0};
   Vec2 centroid{0.0};  ///< of the clipped region
   double area_m2 = 0.0;
-  bool whole = true;   ///< the square lies entirely inside the polygon
+  bool whole = true;  ///< the square lies entirely inside the polygon
 };
 
 /// nu x nv grid on the polygon's bounding rectangle, clipped exactly to the polygon.
 ///
-/// Every square with some of the polygon in it is one cell; the cells' areas add up to the polygon's to 1e-12.
-/// Squares that hold less than 1e-13 of their own area count as empty.
+/// Every square with some of the polygon in it is one cell; the cells' areas add up to the polygon's to
+/// 1e-12. Squares that hold less than 1e-13 of their own area count as empty.
 class CellGrid {
  public:
   /// Squares of at most `cell_m` along both edges, or exactly `grid` = nu x nv squares.

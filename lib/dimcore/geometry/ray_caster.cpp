@@ -130,8 +130,8 @@ RayCaster::RayCaster(std::vector<Plate> plates, double diameter_m) : scene_(std:
     const auto& frame = plate.polygon->frame();
     scene_->plates.push_back({frame.n, frame.u, frame.v, glm::dot(frame.n, frame.origin),
                               glm::dot(frame.u, frame.origin), glm::dot(frame.v, frame.origin),
-                              plate.polygon->size_m(), plate.polygon, plate.polygon->is_rectangle(),
-                              plate.open_back});
+                              plate.polygon->size_m(), plate.polygon,
+                              plate.polygon->is_rectangle() || plate.fills_rectangle, plate.open_back});
   }
   scene_->device = rtcNewDevice("threads=1,set_affinity=0");
   if (!scene_->device) throw InternalError("the ray casting library did not start");
@@ -188,8 +188,7 @@ void set_ray(RTCRay& ray, const Query& query) {
 
 Hit RayCaster::nearest(const Vec3& origin, const Vec3& direction, int skip) const {
   Query query;
-  start(query, origin, direction, scene_->tolerance_m / glm::length(direction),
-        std::numeric_limits<double>::infinity(), skip);
+  start(query, origin, direction, scene_->tolerance_m, std::numeric_limits<double>::infinity(), skip);
   RTCRayHit ray;
   set_ray(ray.ray, query);
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;

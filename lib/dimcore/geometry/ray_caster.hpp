@@ -13,6 +13,9 @@ struct Plate {
   /// What a ray meets that comes from behind: false stops it (a closed body's inside), true lets it pass (the
   /// other side is a plate of its own).
   bool open_back = false;
+  /// Its holes cannot be reached from the front (furniture stands in them): only the bounding rectangle is
+  /// tested.
+  bool fills_rectangle = false;
 };
 
 /// Where a ray ends.
@@ -36,6 +39,7 @@ class RayCaster {
   RayCaster& operator=(RayCaster&&) noexcept;
 
   /// Nearest plate along origin + t * direction, t > tolerance. Where two are equally near, the lower index.
+  /// @param direction  of unit length
   /// @param skip  a plate that is not looked at (the one the ray starts on), or -1
   Hit nearest(const Vec3& origin, const Vec3& direction, int skip = -1) const;
 

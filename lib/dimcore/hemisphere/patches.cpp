@@ -34,14 +34,6 @@ PatchGrid most_square(long n) {
 
 }  // namespace
 
-Vec3 PatchGrid::direction(int slice, int sector, double s, double t) const {
-  const double low = static_cast<double>(slice) / n_slices, high = (slice + 1.0) / n_slices;
-  const double cos2 = low * low + s * (high * high - low * low);
-  const double cosine = std::sqrt(cos2), sine = std::sqrt(std::max(0.0, 1.0 - cos2));
-  const double azimuth = 2.0 * kPi * (sector + t) / n_sectors;
-  return {sine * std::cos(azimuth), sine * std::sin(azimuth), cosine};
-}
-
 Vec3 PatchGrid::centre(int slice, int sector) const {
   const double cosine = (slice + 0.5) / n_slices, sine = std::sqrt(1.0 - cosine * cosine);
   const double azimuth = 2.0 * kPi * (sector + 0.5) / n_sectors;
@@ -62,11 +54,12 @@ PatchGrid parse_patches(const std::string& text, const std::string& option) {
   const char* last = first + text.size();
   const char* cross = std::find(first, last, 'x');
   long a = 0, b = 0;
-  const bool good = cross == last ? parse_count(first, last, a)
-                                  : parse_count(first, cross, a) && parse_count(cross + 1, last, b) &&
-                                        a * b <= kMaxPatches;
+  const bool good =
+      cross == last ? parse_count(first, last, a)
+                    : parse_count(first, cross, a) && parse_count(cross + 1, last, b) && a * b <= kMaxPatches;
   if (!good)
-    throw InputError({{}, option + " '" + text + "' is not AxB or a total of 1..10000000 patches",
+    throw InputError({{},
+                      option + " '" + text + "' is not AxB or a total of 1..10000000 patches",
                       "write for example " + option + " 16x32"});
   return cross == last ? most_square(a) : PatchGrid{static_cast<int>(a), static_cast<int>(b)};
 }

@@ -23,7 +23,9 @@ class CellShade {
   Seen at(std::size_t surface, const Vec2& local) const;
 
  private:
-  Seen of_cell(std::size_t cell) const { return {appearance_.illuminance_lx[cell], appearance_.xyz_cd_m2[cell]}; }
+  Seen of_cell(std::size_t cell) const {
+    return {appearance_.illuminance_lx[cell], appearance_.xyz_cd_m2[cell]};
+  }
 
   const Zone& zone_;
   const Cells& cells_;

@@ -21,7 +21,8 @@ Ring3 outline(const ShownLuminaire& luminaire) {
   const double a = luminaire.opening.length_m / 2.0, b = luminaire.opening.width_m / 2.0;
   if (!(area_m2(luminaire.opening) > 0.0) || !(a > 0.0) || !(b > 0.0)) return {};
   const auto shape = luminaire.opening.shape;
-  if (shape == OpeningShape::kEllipse || shape == OpeningShape::kVerticalCylinder || shape == OpeningShape::kEllipsoid) {
+  if (shape == OpeningShape::kEllipse || shape == OpeningShape::kVerticalCylinder ||
+      shape == OpeningShape::kEllipsoid) {
     Ring3 ring;
     for (int i = 0; i < kRoundCorners; ++i) {
       const double angle = 2.0 * kPi * i / kRoundCorners;
@@ -76,7 +77,8 @@ struct Pixel {
 
 class Renderer {
  public:
-  Renderer(const LuminanceDatabase& database, const Cells& cells, const Mix& mix, const RenderOptions& options)
+  Renderer(const LuminanceDatabase& database, const Cells& cells, const Mix& mix,
+           const RenderOptions& options)
       : zone_(database.zone()),
         options_(options),
         shade_(database.zone(), cells, cell_appearance(database, cells, mix), options.smooth),
@@ -147,7 +149,8 @@ Raster render_view(const LuminanceDatabase& database, const Cells& cells, const 
     for (int y = rows.begin(); y != rows.end(); ++y) {
       for (int x = 0; x < raster.width; ++x) {
         const Pixel pixel = renderer.pixel(x, y);
-        const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(raster.width) + static_cast<std::size_t>(x);
+        const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(raster.width) +
+                        static_cast<std::size_t>(x);
         for (int axis = 0; axis < 3; ++axis)
           raster.xyz[at * 3 + static_cast<std::size_t>(axis)] = static_cast<float>(pixel.xyz[axis]);
         raster.scalar[at] = pixel.n_scalar > 0 ? static_cast<float>(pixel.scalar / pixel.n_scalar)

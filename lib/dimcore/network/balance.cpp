@@ -76,8 +76,8 @@ std::vector<double> apply_columns(const Network& network, const std::vector<doub
 }
 
 void balance(Network& network, const Cells& cells) {
-  constexpr int kMaxRounds = 40;
-  constexpr double kGoodEnough = 1e-7;
+  constexpr int kMaxRounds = 8;
+  constexpr double kGoodEnough = 3e-4;
   const std::size_t n = cells.size();
   network.visible = apply_rows(network, std::vector<double>(n, 1.0));
   const auto& visible = network.visible;

@@ -17,7 +17,8 @@ Cells::Cells(const Zone& zone) {
 std::vector<Plate> plates_of(const Zone& zone) {
   std::vector<Plate> plates;
   plates.reserve(zone.surfaces.size());
-  for (const auto& surface : zone.surfaces) plates.push_back({&surface.polygon, surface.twin >= 0});
+  for (const auto& surface : zone.surfaces)
+    plates.push_back({&surface.polygon, surface.twin >= 0, surface.fills_rectangle});
   return plates;
 }
 

@@ -66,7 +66,8 @@ class FamilyFinder {
       const double weight = network_.patches.weight_sr(slice) / kPi;
       members.links.emplace_back(sink, weight * (cells_.area_m2(sink) / area - 1.0));
       for (; begin < end; ++begin)
-        members.links.emplace_back(joined[begin].second, weight * cells_.area_m2(joined[begin].second) / area);
+        members.links.emplace_back(joined[begin].second,
+                                   weight * cells_.area_m2(joined[begin].second) / area);
     }
     return members;
   }

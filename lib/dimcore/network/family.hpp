@@ -4,12 +4,13 @@
 
 namespace dim {
 
-/// The paper's family members: every cell that cell i sees but none of i's rays ends on is back-projected to i's
-/// hemisphere and joins the ray of the patch it falls in. That patch's flux is shared over sink and family in
-/// proportion to area, so that all of them receive the same illuminance from it and flux is conserved.
+/// The paper's family members: every cell that cell i sees but none of i's rays ends on is back-projected to
+/// i's hemisphere and joins the ray of the patch it falls in. That patch's flux is shared over sink and
+/// family in proportion to area, so that all of them receive the same illuminance from it and flux is
+/// conserved.
 ///
-/// Seeing is judged between cell centroids. A ray that ends nowhere takes no family. Work grows with the square
-/// of the number of cells.
+/// Seeing is judged between cell centroids. A ray that ends nowhere takes no family. Work grows with the
+/// square of the number of cells.
 ExtraLinks find_families(const Zone& zone, const Cells& cells, const Network& network, const Job& job);
 
 }  // namespace dim

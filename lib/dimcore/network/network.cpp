@@ -59,6 +59,7 @@ class RowTracer {
     const LowDiscrepancy4 points(mix(seed_) ^ stream);
     std::size_t patch = 0;
     for (int slice = 0; slice < patches.n_slices; ++slice) {
+      const PatchSlice directions(patches, slice);
       for (int sector = 0; sector < patches.n_sectors; ++sector, ++patch) {
         Vec3 from = origin.frame->origin;
         Vec3 direction;
@@ -67,7 +68,7 @@ class RowTracer {
           direction = patches.centre(slice, sector);
         } else {
           const auto x = points(patch);
-          direction = patches.direction(slice, sector, x[0], x[1]);
+          direction = directions.direction(sector, x[0], x[1]);
           if (origin.cell)
             from = origin.frame->to_world(
                 point_in_cell(*origin.cell, *origin.polygon, x[2], x[3], stream ^ mix(patch)));
@@ -176,11 +177,21 @@ void check_size(const Cells& cells, const Zone& zone, const NetworkOptions& opti
 
 }  // namespace
 
+PatchGrid automatic_point_patches(std::size_t n_points) {
+  constexpr std::size_t kRays = 1 << 19;
+  for (const int slices : {64, 48, 32, 24}) {
+    const PatchGrid patches{slices, 2 * slices};
+    if (n_points * patches.n_patches() <= kRays) return patches;
+  }
+  return {16, 32};
+}
+
 std::size_t network_bytes(std::size_t n_cells, std::size_t n_points, const NetworkOptions& options) {
   const std::size_t rays =
       n_cells * options.patches.n_patches() + n_points * options.point_patches.n_patches();
   constexpr std::size_t kPerCell = 200;  // geometry, scales and the sums of balancing
-  return rays * (SinkTable::is_wide(n_cells) ? 4 : 2) + n_cells * kPerCell;
+  constexpr std::size_t kCopies = 2;     // the network and the image of its file
+  return kCopies * rays * (SinkTable::is_wide(n_cells) ? 4 : 2) + n_cells * kPerCell;
 }
 
 Network build_network(const Zone& zone, const Cells& cells, const NetworkOptions& options, const Job& job) {

@@ -10,22 +10,6 @@
 namespace dim {
 namespace {
 
-void store_cells(Hdf5Writer& file, const Zone& zone, const Cells& cells) {
-  const std::size_t n = cells.size();
-  std::vector<std::uint32_t> surface(n);
-  std::vector<double> area(n), centroid;
-  centroid.reserve(3 * n);
-  for (std::size_t i = 0; i < n; ++i) {
-    surface[i] = static_cast<std::uint32_t>(cells.surface_of(i));
-    area[i] = cells.area_m2(i);
-    const Vec3 c = zone.surfaces[cells.surface_of(i)].polygon.frame().to_world(cells[i].centroid) + zone.origin_m;
-    centroid.insert(centroid.end(), {c.x, c.y, c.z});
-  }
-  file.dataset("/cells/surface", std::span<const std::uint32_t>(surface), {n}, "1", "index into /zone/surfaces");
-  file.dataset("/cells/area", std::span<const double>(area), {n}, "m2");
-  file.dataset("/cells/centroid", std::span<const double>(centroid), {n, 3}, "m", "in the zone file's axes");
-}
-
 void store_sinks(Hdf5Writer& file, const std::string& path, const SinkTable& sinks, const std::string& what) {
   const Shape shape{sinks.n_rows(), sinks.n_patches()};
   if (sinks.wide())
@@ -34,8 +18,8 @@ void store_sinks(Hdf5Writer& file, const std::string& path, const SinkTable& sin
     file.dataset(path, sinks.narrow(), shape, "1", what);
 }
 
-SinkTable load_sinks(const Hdf5Reader& file, const std::string& path, std::size_t n_rows, std::size_t n_patches,
-                     std::size_t n_cells, const std::string& name) {
+SinkTable load_sinks(const Hdf5Reader& file, const std::string& path, std::size_t n_rows,
+                     std::size_t n_patches, std::size_t n_cells, const std::string& name) {
   if (file.shape(path) != Shape{n_rows, n_patches}) throw IoError(name, path + " is not [rows, patches]");
   SinkTable sinks(n_rows, n_patches, n_cells);
   if (sinks.wide())
@@ -47,7 +31,8 @@ SinkTable load_sinks(const Hdf5Reader& file, const std::string& path, std::size_
     const std::size_t largest = tbb::parallel_reduce(
         range, std::size_t{0},
         [&](const auto& part, std::size_t so_far) {
-          for (std::size_t i = part.begin(); i != part.end(); ++i) so_far = std::max<std::size_t>(so_far, entries[i]);
+          for (std::size_t i = part.begin(); i != part.end(); ++i)
+            so_far = std::max<std::size_t>(so_far, entries[i]);
           return so_far;
         },
         [](std::size_t a, std::size_t b) { return std::max(a, b); });
@@ -82,6 +67,24 @@ PatchGrid load_patches(const Hdf5Reader& file, const std::string& prefix, const 
 
 }  // namespace
 
+void store_cells(Hdf5Writer& file, const Zone& zone, const Cells& cells) {
+  const std::size_t n = cells.size();
+  std::vector<std::uint32_t> surface(n);
+  std::vector<double> area(n), centroid;
+  centroid.reserve(3 * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    surface[i] = static_cast<std::uint32_t>(cells.surface_of(i));
+    area[i] = cells.area_m2(i);
+    const Vec3 c =
+        zone.surfaces[cells.surface_of(i)].polygon.frame().to_world(cells[i].centroid) + zone.origin_m;
+    centroid.insert(centroid.end(), {c.x, c.y, c.z});
+  }
+  file.dataset("/cells/surface", std::span<const std::uint32_t>(surface), {n}, "1",
+               "index into /zone/surfaces");
+  file.dataset("/cells/area", std::span<const double>(area), {n}, "m2");
+  file.dataset("/cells/centroid", std::span<const double>(centroid), {n, 3}, "m", "in the zone file's axes");
+}
+
 std::string save_rays(const std::string& path, const Zone& zone, const Cells& cells, const Network& network,
                       const Job& job) {
   Hdf5Writer file("rays", kRaysVersion);
@@ -90,13 +93,15 @@ std::string save_rays(const std::string& path, const Zone& zone, const Cells& ce
   const std::string sinks = "cell on which each patch's ray ends; the number of cells: on none";
   store_sinks(file, "/network/sinks", network.sinks, sinks);
   store_sinks(file, "/network/point_sinks", network.point_sinks, sinks);
-  const auto column = [&](const std::string& name, const std::vector<double>& values, const std::string& what) {
+  const auto column = [&](const std::string& name, const std::vector<double>& values,
+                          const std::string& what) {
     file.dataset("/network/" + name, std::span<const double>(values), {values.size()}, "1", what);
   };
   column("visible", network.visible, "share of each cell's hemisphere that ends on cells");
   column("row_scale", network.row_scale, "makes rows and columns balance");
   column("column_scale", network.column_scale, "makes rows and columns balance");
-  column("point_back_fraction", network.point_back_fraction, "share of a point's rays that met backs of surfaces");
+  column("point_back_fraction", network.point_back_fraction,
+         "share of a point's rays that met backs of surfaces");
   if (network.has_family()) {
     const auto& extra = network.extra;
     file.dataset("/network/family/first", std::span(extra.first), {extra.first.size()}, "1");

@@ -8,8 +8,8 @@
 namespace dim {
 
 /// Which cell each ray ends on: [row, patch], two bytes an entry where the cells can be counted in two bytes,
-/// four otherwise. The entry `n_cells` means that the ray ends nowhere (it left an open zone or met the back of
-/// a surface).
+/// four otherwise. The entry `n_cells` means that the ray ends nowhere (it left an open zone or met the back
+/// of a surface).
 class SinkTable {
  public:
   SinkTable() = default;

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "network/network_storage.hpp"
 #include "scene/zone_storage.hpp"
 
 namespace dim {
@@ -28,7 +29,8 @@ Json source_to_json(const Source& source) {
           {"group", source.group},
           {"luminaires", source.luminaires},
           {"flux_lm", source.flux_lm},
-          {"weights", {{"efficacy_lm_W", w.efficacy_lm_W}, {"share", w.share}, {"x", w.x}, {"y", w.y}, {"z", w.z}}},
+          {"weights",
+           {{"efficacy_lm_W", w.efficacy_lm_W}, {"share", w.share}, {"x", w.x}, {"y", w.y}, {"z", w.z}}},
           {"energy", std::move(energy)},
           {"iterations", source.iterations},
           {"residual", source.residual},
@@ -125,10 +127,9 @@ std::string save_lum(const std::string& path, const Zone& zone, const Cells& cel
   store_zone(file, zone);
   file.text("/description", description(lights, solution).dump());
   file.attribute("/", "rays_hash", rays_hash);
-  file.dataset<double>("/bands", solution.bands.edges_nm, {solution.bands.edges_nm.size()}, "nm", "band edges");
-  std::vector<double> area(cells.size());
-  for (std::size_t i = 0; i < cells.size(); ++i) area[i] = cells.area_m2(i);
-  file.dataset<double>("/cells/area", area, {area.size()}, "m2");
+  file.dataset<double>("/bands", solution.bands.edges_nm, {solution.bands.edges_nm.size()}, "nm",
+                       "band edges");
+  store_cells(file, zone, cells);
   const auto store = [&](const std::string& name, const std::vector<float>& values, std::size_t n) {
     file.dataset<float>(name, values, {solution.sources.size(), solution.bands.size(), n}, "W/m2",
                         "irradiance by source, band and cell or point");
@@ -162,7 +163,8 @@ LuminanceDatabase::LuminanceDatabase(const std::string& path, const Job& job)
   }
 }
 
-std::vector<float> LuminanceDatabase::of_source(const std::string& dataset, std::size_t source, std::size_t n) const {
+std::vector<float> LuminanceDatabase::of_source(const std::string& dataset, std::size_t source,
+                                                std::size_t n) const {
   if (file_.shape(dataset) != Shape{sources_.size(), bands_.size(), n})
     throw IoError(path_, dataset + " is not [sources, bands, " + std::to_string(n) + "]");
   std::vector<float> values(bands_.size() * n);

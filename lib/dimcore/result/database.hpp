@@ -26,7 +26,8 @@ struct ShownLuminaire {
 /// Mean intensity over C at each degree of gamma from 0 to 180, cd.
 using MeanIntensity = std::vector<double>;
 
-/// Writes a luminance database (`.lum`), whole or not at all; `-` is standard output. Layout: docs/formats.md.
+/// Writes a luminance database (`.lum`), whole or not at all; `-` is standard output. Layout:
+/// docs/formats.md.
 /// @param rays_hash  of the network the solution was made on
 /// @returns the content's hash
 /// @throws IoError, Interrupted

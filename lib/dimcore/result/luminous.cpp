@@ -9,7 +9,8 @@ namespace {
 
 using Reader = std::vector<float> (LuminanceDatabase::*)(std::size_t) const;
 
-std::vector<double> illuminance_lx(const LuminanceDatabase& database, const Mix& mix, std::size_t n, Reader read) {
+std::vector<double> illuminance_lx(const LuminanceDatabase& database, const Mix& mix, std::size_t n,
+                                   Reader read) {
   std::vector<double> lx(n, 0.0);
   for (std::size_t s = 0; s < mix.size(); ++s) {
     if (mix[s] == 0.0) continue;
@@ -73,7 +74,8 @@ CellAppearance cell_appearance(const LuminanceDatabase& database, const Cells& c
     const auto& weights = database.sources()[s].weights;
     for (std::size_t b = 0; b < bands.size(); ++b) {
       std::vector<double> reflectance;
-      for (const auto& finish : zone.finishes) reflectance.push_back(finish.diffuse.mean(bands.low_nm(b), bands.high_nm(b)));
+      for (const auto& finish : zone.finishes)
+        reflectance.push_back(finish.diffuse.mean(bands.low_nm(b), bands.high_nm(b)));
       const Vec3 response = mix[s] * kMaxEfficacy_lm_W * Vec3(weights.x[b], weights.y[b], weights.z[b]);
       for (std::size_t i = 0; i < n; ++i) {
         const double e = static_cast<double>(irradiance[b * n + i]);

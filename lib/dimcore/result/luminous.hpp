@@ -11,8 +11,8 @@ namespace dim {
 /// Factor on each source's light. [n_sources], 1 where not asked for.
 using Mix = std::vector<double>;
 
-/// Mix from `NAME=FACTOR` texts; NAME is a source, a group (all its sources) or a luminaire that is a source of
-/// its own. A later text overrides an earlier one.
+/// Mix from `NAME=FACTOR` texts; NAME is a source, a group (all its sources) or a luminaire that is a source
+/// of its own. A later text overrides an earlier one.
 /// @throws InputError  unknown name, factor not a number >= 0
 Mix parse_mix(const std::vector<std::string>& texts, const std::vector<Source>& sources);
 

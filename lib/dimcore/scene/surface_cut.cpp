@@ -53,11 +53,12 @@ void check_feature(const Surface& feature, const Surface& parent, double touch_m
         "keep it inside the parent's outline and clear of its holes");
 }
 
-// Whether following parents from `start` comes back to it.
-bool is_own_ancestor(const std::vector<Surface>& surfaces, std::size_t start) {
-  int at = surfaces[start].parent;
+// Whether `descendant` was cut, in however many steps, out of `ancestor`. A surface may be found to be its
+// own.
+bool is_ancestor(const std::vector<Surface>& surfaces, std::size_t ancestor, std::size_t descendant) {
+  int at = surfaces[descendant].parent;
   for (std::size_t steps = 0; at >= 0 && steps < surfaces.size(); ++steps) {
-    if (at == static_cast<int>(start)) return true;
+    if (at == static_cast<int>(ancestor)) return true;
     at = surfaces[static_cast<std::size_t>(at)].parent;
   }
   return false;
@@ -105,7 +106,7 @@ void join_features(std::vector<Surface>& surfaces, const std::vector<SurfaceLink
   for (std::size_t i = 0; i < surfaces.size(); ++i)
     if (!links[i].on.empty()) surfaces[i].parent = index.at(links[i].on);
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    if (surfaces[i].parent >= 0 && is_own_ancestor(surfaces, i)) {
+    if (surfaces[i].parent >= 0 && is_ancestor(surfaces, i, i)) {
       problems.add(links[i].on_place, fmt::format("{} lies on itself", label(surfaces[i])),
                    "name the surface that it is cut out of");
       return;
@@ -138,7 +139,9 @@ void cut_features(std::vector<Surface>& surfaces, double touch_m) {
 
 void refuse_overlaps(const std::vector<Surface>& surfaces, double touch_m, Problems& problems) {
   for (const auto& pair : coplanar_pairs(surfaces, touch_m)) {
-    if (!pair.same_facing) continue;
+    if (!pair.same_facing || is_ancestor(surfaces, pair.large, pair.small) ||
+        is_ancestor(surfaces, pair.small, pair.large))
+      continue;
     const Surface &large = surfaces[pair.large], &small = surfaces[pair.small];
     const double common_m2 = area(common_region(large.polygon, small.polygon, touch_m));
     if (common_m2 <= kRelativeOverlap * small.polygon.area_m2()) continue;
@@ -176,6 +179,7 @@ void remove_contacts(std::vector<Surface>& surfaces, const std::vector<SurfaceLi
   }
   std::map<std::size_t, Polygon> whole;
   for (const auto& [i, others] : contacts) whole.emplace(i, surfaces[i].polygon);
+  for (auto& surface : surfaces) surface.fills_rectangle = surface.polygon.is_rectangle();
   for (const auto& [i, others] : contacts) {
     std::vector<const Polygon*> removed;
     for (const std::size_t other : others) removed.push_back(&whole.at(other));

@@ -37,6 +37,7 @@ void refuse_overlaps(const std::vector<Surface>& surfaces, double touch_m, Probl
 /// Takes the common area of faces that touch back to back away from both, then surfaces without area out of
 /// the list. Two [[surface]] of the same outline back to back are a thin partition: kept, as each other's
 /// twins. Where two [[surface]] touch in part, a warning says so, because a partition is written `sides = 2`.
+/// Sets `fills_rectangle`.
 void remove_contacts(std::vector<Surface>& surfaces, const std::vector<SurfaceLink>& links, double touch_m,
                      Warnings& warnings);
 

@@ -25,6 +25,9 @@ struct Surface {
   bool bounding =
       true;  ///< from [[surface]], one-sided, not outside; false for boxes, panels, external obstructions
   bool outside = false;  ///< external obstruction
+  /// What the polygon lacks of its bounding rectangle is covered by faces that touch it (furniture standing
+  /// on a floor): no ray gets there, so a hit may be tested against the rectangle alone.
+  bool fills_rectangle = false;
   Place place;
 };
 

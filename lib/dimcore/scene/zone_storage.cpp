@@ -10,11 +10,11 @@ using Json = nlohmann::json;
 
 // Polygons packed one after the other: frames, rings per polygon, corners per ring.
 struct PackedPolygons {
-  std::vector<double> frame;           // [n, 4, 3] origin, u, v, n
-  std::vector<std::uint32_t> n_rings;  // [n]
+  std::vector<double> frame;             // [n, 4, 3] origin, u, v, n
+  std::vector<std::uint32_t> n_rings;    // [n]
   std::vector<std::uint32_t> n_corners;  // [rings]
-  std::vector<double> local_m;         // [corners, 2]
-  std::vector<double> vertex_m;        // [corners, 3] in the user's coordinates
+  std::vector<double> local_m;           // [corners, 2]
+  std::vector<double> vertex_m;          // [corners, 3] in the user's coordinates
 
   void add(const Polygon& polygon, const Vec3& origin_m) {
     const Frame& f = polygon.frame();
@@ -32,8 +32,8 @@ struct PackedPolygons {
 };
 
 void store_polygons(Hdf5Writer& file, const std::string& group, const PackedPolygons& packed) {
-  const auto store = [&](const std::string& name, const auto& values, const Shape& shape, const std::string& unit,
-                         const std::string& what) {
+  const auto store = [&](const std::string& name, const auto& values, const Shape& shape,
+                         const std::string& unit, const std::string& what) {
     file.dataset(group + name, std::span(values), shape, unit, what);
   };
   store("frame", packed.frame, {packed.n_rings.size(), 4, 3}, "m", "origin, u, v, normal; zone-centred");
@@ -58,7 +58,8 @@ std::vector<Polygon> load_polygons(const Hdf5Reader& file, const std::string& gr
     for (std::uint32_t r = 0; r < n_rings[i]; ++r, ++ring_at) {
       const std::size_t n = n_corners.at(ring_at);
       Ring2 ring;
-      for (std::size_t c = 0; c < n; ++c, ++corner_at) ring.push_back({local.at(2 * corner_at), local.at(2 * corner_at + 1)});
+      for (std::size_t c = 0; c < n; ++c, ++corner_at)
+        ring.push_back({local.at(2 * corner_at), local.at(2 * corner_at + 1)});
       rings.push_back(std::move(ring));
     }
     polygons.emplace_back(Frame{axis(0), axis(1), axis(2), axis(3)}, std::move(rings));
@@ -82,6 +83,7 @@ Json finish_to_json(const Finish& finish) {
                {"ior", to_json(finish.ior)},
                {"distribution", finish.distribution},
                {"transmittance", to_json(finish.transmittance)},
+               {"angular_law", finish.angular_law},
                {"source", finish.source}};
   if (finish.extinction) json["extinction"] = to_json(*finish.extinction);
   if (finish.specular_reflectance) json["specular_reflectance"] = to_json(*finish.specular_reflectance);
@@ -98,14 +100,19 @@ Finish finish_from_json(const Json& json) {
   finish.ior = curve(json.at("ior"));
   finish.distribution = json.at("distribution");
   finish.transmittance = curve(json.at("transmittance"));
+  finish.angular_law = json.at("angular_law");
   finish.source = json.at("source");
   if (json.contains("extinction")) finish.extinction = curve(json["extinction"]);
-  if (json.contains("specular_reflectance")) finish.specular_reflectance = curve(json["specular_reflectance"]);
+  if (json.contains("specular_reflectance"))
+    finish.specular_reflectance = curve(json["specular_reflectance"]);
   return finish;
 }
 
 Json description(const Zone& zone) {
-  Json json = {{"name", zone.name}, {"finishes", Json::array()}, {"views", Json::array()}, {"planes", Json::array()},
+  Json json = {{"name", zone.name},
+               {"finishes", Json::array()},
+               {"views", Json::array()},
+               {"planes", Json::array()},
                {"point_sets", Json::array()}};
   for (const auto& finish : zone.finishes) json["finishes"].push_back(finish_to_json(finish));
   for (const auto& view : zone.views)
@@ -148,8 +155,9 @@ void read_description(const Json& json, Zone& zone, const std::vector<Polygon>& 
   }
 }
 
-// One row a surface: finish, parent, twin, bounding, outside, grid nu, grid nv (0: none asked for).
-constexpr std::size_t kSurfaceColumns = 7;
+// One row a surface: finish, parent, twin, bounding, outside, fills rectangle, grid nu, grid nv (0: none
+// asked for).
+constexpr std::size_t kSurfaceColumns = 8;
 
 void store_surfaces(Hdf5Writer& file, const Zone& zone) {
   PackedPolygons polygons;
@@ -159,17 +167,18 @@ void store_surfaces(Hdf5Writer& file, const Zone& zone) {
   for (const auto& surface : zone.surfaces) {
     polygons.add(surface.polygon, zone.origin_m);
     const auto grid = surface.grid.value_or(std::pair(0, 0));
-    table.insert(table.end(), {surface.finish, surface.parent, surface.twin, surface.bounding, surface.outside,
-                               grid.first, grid.second});
+    table.insert(table.end(), {surface.finish, surface.parent, surface.twin, surface.bounding,
+                               surface.outside, surface.fills_rectangle, grid.first, grid.second});
     cell_m.push_back(surface.cell_m);
     area_m2.push_back(surface.polygon.area_m2());
     names.push_back(surface.name);
   }
   store_polygons(file, "/zone/surfaces/", polygons);
   file.strings("/zone/surfaces/name", names);
-  file.dataset("/zone/surfaces/table", std::span<const std::int32_t>(table), {names.size(), kSurfaceColumns}, "1",
-               "finish, parent, twin, bounding, outside, nu, nv; -1 or 0: none");
-  file.dataset("/zone/surfaces/cell", std::span<const double>(cell_m), {names.size()}, "m", "cell size asked for");
+  file.dataset("/zone/surfaces/table", std::span<const std::int32_t>(table), {names.size(), kSurfaceColumns},
+               "1", "finish, parent, twin, bounding, outside, fills_rectangle, nu, nv; -1 or 0: none");
+  file.dataset("/zone/surfaces/cell", std::span<const double>(cell_m), {names.size()}, "m",
+               "cell size asked for");
   file.dataset("/zone/surfaces/area", std::span<const double>(area_m2), {names.size()}, "m2");
 }
 
@@ -188,7 +197,8 @@ void load_surfaces(const Hdf5Reader& file, Zone& zone) {
     surface.twin = row[2];
     surface.bounding = row[3] != 0;
     surface.outside = row[4] != 0;
-    if (row[5] > 0) surface.grid = std::pair(row[5], row[6]);
+    surface.fills_rectangle = row[5] != 0;
+    if (row[6] > 0) surface.grid = std::pair(row[6], row[7]);
     surface.cell_m = cell_m[i];
     zone.surfaces.push_back(std::move(surface));
   }
@@ -196,14 +206,16 @@ void load_surfaces(const Hdf5Reader& file, Zone& zone) {
 
 void check(const Zone& zone, const std::string& path) {
   const auto within = [](int index, std::size_t n) { return index >= -1 && index < static_cast<int>(n); };
-  const bool surfaces_hold = std::all_of(zone.surfaces.begin(), zone.surfaces.end(), [&](const Surface& surface) {
-    return surface.finish >= 0 && within(surface.finish, zone.finishes.size()) &&
-           within(surface.parent, zone.surfaces.size()) && within(surface.twin, zone.surfaces.size()) &&
-           (surface.grid || surface.cell_m > 0.0);
-  });
-  const bool sets_hold = std::all_of(zone.point_sets.begin(), zone.point_sets.end(), [&](const PointSet& set) {
-    return set.first <= zone.points.size() && set.count <= zone.points.size() - set.first;
-  });
+  const bool surfaces_hold =
+      std::all_of(zone.surfaces.begin(), zone.surfaces.end(), [&](const Surface& surface) {
+        return surface.finish >= 0 && within(surface.finish, zone.finishes.size()) &&
+               within(surface.parent, zone.surfaces.size()) && within(surface.twin, zone.surfaces.size()) &&
+               (surface.grid || surface.cell_m > 0.0);
+      });
+  const bool sets_hold =
+      std::all_of(zone.point_sets.begin(), zone.point_sets.end(), [&](const PointSet& set) {
+        return set.first <= zone.points.size() && set.count <= zone.points.size() - set.first;
+      });
   if (!surfaces_hold || !sets_hold) throw IoError(path, "the zone in this file does not hold together");
 }
 
@@ -216,16 +228,17 @@ void store_zone(Hdf5Writer& file, const Zone& zone) {
   file.attribute("/zone", "volume_m3", zone.volume_m3);
   file.attribute("/zone", "closed", static_cast<int>(zone.closed));
   const std::vector<double> origin{zone.origin_m.x, zone.origin_m.y, zone.origin_m.z};
-  file.dataset("/zone/origin", std::span<const double>(origin), {3}, "m", "centre of the zone in the zone file's axes");
+  file.dataset("/zone/origin", std::span<const double>(origin), {3}, "m",
+               "centre of the zone in the zone file's axes");
   store_surfaces(file, zone);
   PackedPolygons planes;
   for (const auto& plane : zone.planes) planes.add(plane.polygon, zone.origin_m);
   store_polygons(file, "/zone/planes/", planes);
   std::vector<double> points;
   for (const auto& point : zone.points)
-    points.insert(points.end(), {point.position.x, point.position.y, point.position.z, point.normal.x, point.normal.y,
-                                 point.normal.z});
-  file.dataset("/zone/points", std::span<const double>(points), {zone.points.size(), 6}, "m",
+    points.insert(points.end(), {point.position.x, point.position.y, point.position.z, point.normal.x,
+                                 point.normal.y, point.normal.z});
+  file.dataset("/zone/points", std::span<const double>(points), {zone.points.size(), 6}, "m, 1",
                "zone-centred position and normal of the measuring points");
 }
 
@@ -241,7 +254,8 @@ Zone load_zone(const Hdf5Reader& file, const std::string& path) {
     load_surfaces(file, zone);
     const auto points = file.dataset<double>("/zone/points", {kAnySize, 6});
     for (std::size_t i = 0; i < points.size(); i += 6)
-      zone.points.push_back({{points[i], points[i + 1], points[i + 2]}, {points[i + 3], points[i + 4], points[i + 5]}});
+      zone.points.push_back(
+          {{points[i], points[i + 1], points[i + 2]}, {points[i + 3], points[i + 4], points[i + 5]}});
     read_description(Json::parse(file.text("/zone/description")), zone, load_polygons(file, "/zone/planes/"));
   } catch (const nlohmann::json::exception&) {
     throw IoError(path, "the description of the zone in this file cannot be read");

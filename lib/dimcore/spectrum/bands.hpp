@@ -24,7 +24,8 @@ struct Bands {
   static Bands uniform(int n);
 };
 
-/// How a light source's radiation divides over bands, and what an eye makes of each band. physics.md section 1.
+/// How a light source's radiation divides over bands, and what an eye makes of each band. physics.md
+/// section 1.
 ///
 /// The weights are per source and band, so that direct illuminance and grey rooms are exact with one band.
 struct BandWeights {

@@ -17,12 +17,14 @@ double SpectralCurve::at(double wavelength_nm) const {
 bool SpectralCurve::is_flat() const { return min() == max(); }
 
 double SpectralCurve::max() const {
-  return std::max_element(points_.begin(), points_.end(), [](auto& a, auto& b) { return a.second < b.second; })
+  return std::max_element(points_.begin(), points_.end(),
+                          [](auto& a, auto& b) { return a.second < b.second; })
       ->second;
 }
 
 double SpectralCurve::min() const {
-  return std::min_element(points_.begin(), points_.end(), [](auto& a, auto& b) { return a.second < b.second; })
+  return std::min_element(points_.begin(), points_.end(),
+                          [](auto& a, auto& b) { return a.second < b.second; })
       ->second;
 }
 

@@ -18,15 +18,19 @@ namespace {
 constexpr double kNear = 0.6;
 constexpr int kMaxNearHalvings = 48;
 constexpr int kMaxHorizonHalvings = 4;
-// Rays that probe the visibility of a pair, and how many more where they disagree. Parts of a halved pair share
-// them. They are spread over cell and opening by chance, the same chance in every run: a fixed pattern would
-// miss the same strip of every cell along the foot of a cabinet.
-constexpr int kProbeRays = 16;
+// Rays that probe the visibility of a pair, and how many more where they disagree. Parts of a halved pair
+// share them. They are spread over cell and opening by chance, the same chance in every run: a fixed pattern
+// would miss the same strip of every cell along the foot of a cabinet. The fewer luminaires, the more each
+// gets: of many, the errors average out.
+constexpr int kProbeRaysPerReceiver = 384;
+constexpr int kMostProbeRays = 64;
+constexpr int kLeastProbeRays = 16;
+constexpr int kShadowRaysPerProbeRay = 4;
 constexpr int kMinProbeRays = 4;
-constexpr int kShadowRays = 64;
-// Pairs that bring less than this share of the mean direct illuminance get the fewest rays. These are as
-// unbiased as the rest, only coarser.
-constexpr double kFaint = 2e-3;
+// Pairs that bring less than this share of the mean direct illuminance get a few rays only. Their mean is as
+// unbiased as the rest's, only coarser, and there are many of them.
+constexpr double kFaint = 1e-2;
+constexpr int kFaintRays = 2;
 
 struct Interval {
   double low = 0.0, high = 1.0;
@@ -36,7 +40,8 @@ struct Interval {
   double at(double t) const { return low + t * length(); }
 };
 
-// A part of the pair cell x opening: axes 0, 1 run over the cell in metres, 2, 3 over the opening's unit square.
+// A part of the pair cell x opening: axes 0, 1 run over the cell in metres, 2, 3 over the opening's unit
+// square.
 using Part = std::array<Interval, 4>;
 
 struct Receiver {
@@ -63,8 +68,12 @@ struct Chance {
 class Integrator {
  public:
   Integrator(const RayCaster& caster, const Luminaire& luminaire, const Fitting& fitting, double faint_lx,
-             std::uint64_t stream)
-      : caster_(caster), luminaire_(luminaire), fitting_(fitting), stream_(mix(stream)) {
+             int n_probe_rays, std::uint64_t stream)
+      : caster_(caster),
+        luminaire_(luminaire),
+        fitting_(fitting),
+        n_probe_rays_(n_probe_rays),
+        stream_(mix(stream)) {
     faint_ = luminaire.factor > 0.0 ? faint_lx / luminaire.factor : 0.0;
     if (largest_dimension_m(luminaire.opening) > 0.0)
       opening_m_ = {luminaire.opening.length_m, luminaire.opening.width_m};
@@ -74,7 +83,8 @@ class Integrator {
   double mean(const Receiver& receiver, const Part& pair) const {
     if (hidden_by_orientation(receiver, pair)) return 0.0;
     Chance chance{LowDiscrepancy4(receiver.stream ^ stream_)};
-    const Sum sum = integrate(receiver, pair, 0, 0, chance);
+    const Sum sum =
+        is_faint(receiver, pair) ? faint(receiver, pair, chance) : integrate(receiver, pair, 0, 0, chance);
     return sum.weight > 0.0 ? sum.value / sum.weight : 0.0;
   }
 
@@ -83,8 +93,8 @@ class Integrator {
     return luminaire_.at + luminaire_.to_world(sample(luminaire_.opening, {s, t}));
   }
 
-  // Whether the receiver lies wholly behind the opening (where that emits forwards only) or the opening wholly
-  // behind the receiver.
+  // Whether the receiver lies wholly behind the opening (where that emits forwards only) or the opening
+  // wholly behind the receiver.
   bool hidden_by_orientation(const Receiver& receiver, const Part& pair) const {
     const double reach_m = largest_dimension_m(luminaire_.opening);
     if (receiver.frame->height(luminaire_.at) <= -reach_m) return true;
@@ -107,8 +117,27 @@ class Integrator {
     return fitting_.intensity.at(luminaire_.to_local(d)) * height / (r2 * std::sqrt(r2));
   }
 
+  struct Probe {
+    int n = 0, n_inside = 0, n_lit = 0, n_visible = 0;
+    double lit = 0.0, visible = 0.0;
+    bool mixed() const { return n_visible > 0 && n_visible < n_lit; }
+  };
+
+  // Far away and bringing little, judged between the middles.
+  bool is_faint(const Receiver& receiver, const Part& pair) const {
+    if (near(receiver, pair)) return false;
+    const Vec3 p = receiver.frame->to_world({pair[0].middle(), pair[1].middle()});
+    return unshadowed(receiver, p, on_opening(0.5, 0.5)) < faint_;
+  }
+
+  Sum faint(const Receiver& receiver, const Part& pair, Chance& chance) const {
+    Probe sum;
+    probe(sum, receiver.whole ? kFaintRays : n_probe_rays_, receiver, pair, chance);
+    return {static_cast<double>(sum.n_inside) / sum.n, sum.visible / sum.n};
+  }
+
   struct Smooth {
-    double mean = 0.0, largest = 0.0;
+    double mean = 0.0;
     bool horizon = false;  // some points receive light, some do not
   };
 
@@ -124,11 +153,11 @@ class Integrator {
       sign[3] = sign[0] * sign[1] * sign[2];
       if (n == 4) sign = extended ? std::array{0, 0, sign[0], sign[1]} : std::array{sign[0], sign[1], 0, 0};
       if (n == 1) sign = {0, 0, 0, 0};
-      const double lx = unshadowed(receiver, receiver.frame->to_world({part[0].gauss(sign[0]), part[1].gauss(sign[1])}),
-                                   on_opening(part[2].gauss(sign[2]), part[3].gauss(sign[3])));
+      const double lx =
+          unshadowed(receiver, receiver.frame->to_world({part[0].gauss(sign[0]), part[1].gauss(sign[1])}),
+                     on_opening(part[2].gauss(sign[2]), part[3].gauss(sign[3])));
       n_lit += lx > 0.0;
       result.mean += lx / n;
-      result.largest = std::max(result.largest, lx);
     }
     result.horizon = n_lit > 0 && n_lit < n;
     return result;
@@ -167,12 +196,6 @@ class Integrator {
     return {both.weight / 2.0, both.value / 2.0};
   }
 
-  struct Probe {
-    int n = 0, n_inside = 0, n_lit = 0, n_visible = 0;
-    double lit = 0.0, visible = 0.0;
-    bool mixed() const { return n_visible > 0 && n_visible < n_lit; }
-  };
-
   void probe(Probe& sum, int n, const Receiver& receiver, const Part& part, Chance& chance) const {
     for (; sum.n < n; ++sum.n) {
       const auto x = chance.draw();
@@ -190,15 +213,17 @@ class Integrator {
     }
   }
 
-  Sum leaf(const Receiver& receiver, const Part& part, const Smooth& expected, int halvings, Chance& chance) const {
+  Sum leaf(const Receiver& receiver, const Part& part, const Smooth& expected, int halvings,
+           Chance& chance) const {
     if (receiver.whole && !(expected.mean > 0.0)) return {1.0, 0.0};
-    const bool faint = expected.largest < faint_;
     const bool points = receiver.polygon == nullptr && opening_m_ == Vec2(0.0);
-    int n = std::max(kMinProbeRays, faint ? 0 : kProbeRays >> std::min(halvings, 4));
-    if (!receiver.whole) n = std::max(n, kProbeRays);
+    int n = std::max(kMinProbeRays, n_probe_rays_ >> std::min(halvings, 4));
+    if (!receiver.whole) n = std::max(n, n_probe_rays_);
     Probe sum;
     probe(sum, points ? 1 : n, receiver, part, chance);
-    if (sum.mixed() && !faint) probe(sum, std::max(n, kShadowRays >> std::min(halvings, 4)), receiver, part, chance);
+    if (sum.mixed())
+      probe(sum, std::max(n, kShadowRaysPerProbeRay * n_probe_rays_ >> std::min(halvings, 4)), receiver, part,
+            chance);
     const double weight = static_cast<double>(sum.n_inside) / sum.n;
     if (!receiver.whole) return {weight, sum.visible / sum.n};
     return {1.0, sum.lit > 0.0 ? expected.mean * sum.visible / sum.lit : 0.0};
@@ -207,6 +232,7 @@ class Integrator {
   const RayCaster& caster_;
   const Luminaire& luminaire_;
   const Fitting& fitting_;
+  int n_probe_rays_;
   std::uint64_t stream_;
   Vec2 opening_m_{0.0};
   double faint_ = 0.0;
@@ -218,9 +244,10 @@ double total_area_m2(const Zone& zone) {
 }
 
 double total_flux_lm(const Lights& lights) {
-  return std::accumulate(lights.luminaires.begin(), lights.luminaires.end(), 0.0, [&](double sum, const Luminaire& l) {
-    return sum + l.factor * lights.fittings[static_cast<std::size_t>(l.fitting)].intensity.flux_lm();
-  });
+  return std::accumulate(
+      lights.luminaires.begin(), lights.luminaires.end(), 0.0, [&](double sum, const Luminaire& l) {
+        return sum + l.factor * lights.fittings[static_cast<std::size_t>(l.fitting)].intensity.flux_lm();
+      });
 }
 
 Part whole_pair(const Vec2& low, const Vec2& high) {
@@ -233,11 +260,14 @@ DirectLight direct_light(const Zone& zone, const Cells& cells, const Lights& lig
                          const std::vector<std::size_t>& source_of, std::size_t n_sources, const Job& job) {
   const Obstructions obstructions(zone, lights);
   const double faint_lx = kFaint * total_flux_lm(lights) / total_area_m2(zone);
+  const int n_probe_rays =
+      std::clamp(kProbeRaysPerReceiver / std::max(1, static_cast<int>(lights.luminaires.size())),
+                 kLeastProbeRays, kMostProbeRays);
   std::vector<Integrator> integrators;
   for (const auto& luminaire : lights.luminaires)
     integrators.emplace_back(obstructions.caster(), luminaire,
                              lights.fittings[static_cast<std::size_t>(luminaire.fitting)], faint_lx,
-                             integrators.size());
+                             n_probe_rays, integrators.size());
   const auto add_all = [&](const Receiver& receiver, const Part& pair, double* out_lx) {
     for (std::size_t l = 0; l < integrators.size(); ++l)
       out_lx[source_of[l]] += lights.luminaires[l].factor * integrators[l].mean(receiver, pair);
@@ -260,7 +290,8 @@ DirectLight direct_light(const Zone& zone, const Cells& cells, const Lights& lig
     if (job.stopped()) return;
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       const Frame frame = frame_at(zone.points[i]);
-      add_all({&frame, nullptr, true, -1, mix(~i)}, whole_pair(Vec2(0.0), Vec2(0.0)), &result.point_lx[i * n_sources]);
+      add_all({&frame, nullptr, true, -1, mix(~i)}, whole_pair(Vec2(0.0), Vec2(0.0)),
+              &result.point_lx[i * n_sources]);
     }
   });
   job.check();

@@ -13,10 +13,10 @@ namespace dim {
 /// Direct illuminance of every cell (area average) and measuring point from every source (a sum of
 /// luminaires), visibility included.
 ///
-/// Integrates I(direction) cos(theta) / r^2 over cell x luminous opening (equation 8 of the paper for each pair
-/// of points). Without obstruction by Gauss points, two an axis, the pair halved along its longest side wherever
-/// it is large against its distance; the visible share by low-discrepancy rays over cell and opening, more of
-/// them where they disagree (a shadow edge). The same bits on any number of threads.
+/// Integrates I(direction) cos(theta) / r^2 over cell x luminous opening (equation 8 of the paper for each
+/// pair of points). Without obstruction by Gauss points, two an axis, the pair halved along its longest side
+/// wherever it is large against its distance; the visible share by low-discrepancy rays over cell and
+/// opening, more of them where they disagree (a shadow edge). The same bits on any number of threads.
 struct DirectLight {
   std::vector<double> cell_lx;   ///< [n_cells, n_sources]
   std::vector<double> point_lx;  ///< [n_points, n_sources]
@@ -30,8 +30,8 @@ DirectLight direct_light(const Zone& zone, const Cells& cells, const Lights& lig
 /// What becomes of a luminaire's light on its first flight, as shares of its flux.
 struct FirstFlight {
   double received = 0.0;  ///< on the lit sides of the zone's surfaces
-  double escaped = 0.0;   ///< out of the zone
-  double lost = 0.0;      ///< on backs of surfaces, on luminaire bodies and on external obstructions
+  double escaped = 0.0;   ///< out of the zone, external obstructions included
+  double lost = 0.0;      ///< on backs of surfaces and on luminaire bodies
   double flux_lm = 0.0;   ///< of the sampled distribution, times the luminaire's factor
 };
 

@@ -9,20 +9,20 @@
 namespace dim {
 
 struct GatherOptions {
-  double tolerance = 1e-4;  ///< stop when no cell changes by more than this share of its column's mean
+  double tolerance = 3e-4;  ///< stop when no cell changes by more than this share of its column's mean
   int max_iterations = 1000;
 };
 
-/// How one column (a source in a reflectance class) ended. All power figures in the unit of direct illuminance
-/// times square metres.
+/// How one column (a source in a reflectance class) ended. All power figures in the unit of direct
+/// illuminance times square metres.
 struct ColumnReport {
   int iterations = 0;
-  double residual = 0.0;      ///< largest last change of a cell over the column's mean irradiance
-  double error_bound = 0.0;   ///< contraction bound residual * rho_max / (1 - rho_max)
-  double received = 0.0;      ///< direct, on cells
-  double absorbed = 0.0;      ///< by cells
-  double escaped = 0.0;       ///< reflected out of the zone or onto backs
-  double dropped = 0.0;       ///< reflected but not followed any more
+  double residual = 0.0;     ///< largest last change of a cell over the column's mean irradiance
+  double error_bound = 0.0;  ///< contraction bound residual * rho_max / (1 - rho_max)
+  double received = 0.0;     ///< direct, on cells
+  double absorbed = 0.0;     ///< by cells
+  double escaped = 0.0;      ///< reflected out of the zone or onto backs
+  double dropped = 0.0;      ///< the last change's reflections, not followed; either sign
 };
 
 struct Gathered {

@@ -19,7 +19,8 @@ namespace {
 using Lane = double __attribute__((vector_size(kColumnsPerLane * sizeof(double)), aligned(8)));
 
 template <class Sink, std::size_t kLanes>
-DIM_INLINE void gather_one(const Sink* sinks, const PatchGrid& patches, const double* exitance, double* sums) {
+DIM_INLINE void gather_one(const Sink* sinks, const PatchGrid& patches, const double* exitance,
+                           double* sums) {
   Lane total[kLanes] = {};
   for (int slice = 0; slice < patches.n_slices; ++slice) {
     Lane in_slice[kLanes] = {};
@@ -39,10 +40,18 @@ DIM_INLINE void gather_block(const Sink* sinks, const PatchGrid& patches, const 
   const std::size_t n_patches = patches.n_patches();
   for (std::size_t row = 0; row < n_rows; ++row, sinks += n_patches, sums += n_columns) {
     switch (n_columns / kColumnsPerLane) {
-      case 1: gather_one<Sink, 1>(sinks, patches, exitance, sums); break;
-      case 2: gather_one<Sink, 2>(sinks, patches, exitance, sums); break;
-      case 3: gather_one<Sink, 3>(sinks, patches, exitance, sums); break;
-      default: gather_one<Sink, 4>(sinks, patches, exitance, sums); break;
+      case 1:
+        gather_one<Sink, 1>(sinks, patches, exitance, sums);
+        break;
+      case 2:
+        gather_one<Sink, 2>(sinks, patches, exitance, sums);
+        break;
+      case 3:
+        gather_one<Sink, 3>(sinks, patches, exitance, sums);
+        break;
+      default:
+        gather_one<Sink, 4>(sinks, patches, exitance, sums);
+        break;
     }
   }
 }
@@ -53,8 +62,9 @@ DIM_TARGET_CLONES void gather_narrow(const std::uint16_t* sinks, const PatchGrid
   gather_block(sinks, patches, exitance, n_columns, n_rows, sums);
 }
 
-DIM_TARGET_CLONES void gather_wide(const std::uint32_t* sinks, const PatchGrid& patches, const double* exitance,
-                                   std::size_t n_columns, std::size_t n_rows, double* sums) {
+DIM_TARGET_CLONES void gather_wide(const std::uint32_t* sinks, const PatchGrid& patches,
+                                   const double* exitance, std::size_t n_columns, std::size_t n_rows,
+                                   double* sums) {
   gather_block(sinks, patches, exitance, n_columns, n_rows, sums);
 }
 

@@ -3,7 +3,8 @@
 namespace dim {
 namespace {
 
-// "Just behind" the opening: far enough not to hide it from grazing paths by rounding, near enough not to show.
+// "Just behind" the opening: far enough not to hide it from grazing paths by rounding, near enough not to
+// show.
 constexpr double kBehind_m = 1e-4;
 
 std::vector<Polygon> bodies(const Lights& lights) {

@@ -12,23 +12,27 @@ namespace dim {
 namespace {
 
 constexpr std::size_t kBlockBytes = 32 * 4 * sizeof(double);  // a block of columns being solved
-constexpr int kProbeRays = 1024;    // to notice a luminaire in the wrong place
+constexpr int kProbeRays = 1024;                              // to notice a luminaire in the wrong place
 constexpr int kBalanceRays = 32768;  // to say what share of its light leaves the zone
 
 void check_finishes(const Zone& zone, const Bands& bands) {
   Problems problems;
   for (const auto& finish : zone.finishes) {
     if (!finish.is_diffuse())
-      problems.add({}, fmt::format("finish '{}' {}; this version models opaque diffuse finishes only", finish.name,
-                                   finish.kind == FinishKind::glazing ? "is a glazing" : "has a specular part"),
-                   fmt::format("use --finish {}=ENTRY with a diffuse entry", finish.name));
+      problems.add(
+          {},
+          fmt::format("finish '{}' {}; this version models opaque diffuse finishes only", finish.name,
+                      finish.kind == FinishKind::glazing ? "is a glazing" : "has a specular part"),
+          fmt::format("use --finish {}=ENTRY with a diffuse entry", finish.name));
     for (std::size_t b = 0; b < bands.size() && finish.is_diffuse(); ++b) {
       const double rho = finish.diffuse.mean(bands.low_nm(b), bands.high_nm(b));
       if (!(rho < 1.0))
-        problems.add({}, fmt::format("finish '{}': reflectance {} at {:.0f}-{:.0f} nm; inter-reflection needs less "
-                                     "than 1",
-                                     finish.name, rho, bands.low_nm(b), bands.high_nm(b)),
-                     "a real surface absorbs something: write for example 0.99");
+        problems.add(
+            {},
+            fmt::format("finish '{}': reflectance {} at {:.0f}-{:.0f} nm; inter-reflection needs less "
+                        "than 1",
+                        finish.name, rho, bands.low_nm(b), bands.high_nm(b)),
+            "a real surface absorbs something: write for example 0.99");
     }
   }
   problems.throw_if_any();
@@ -89,7 +93,8 @@ ReflectanceClasses classify(const Zone& zone, const Bands& bands) {
 }
 
 // Spreads [n, n_sources] over columns class * n_sources + source.
-std::vector<double> repeat_columns(const std::vector<double>& values, std::size_t n_sources, std::size_t n_classes) {
+std::vector<double> repeat_columns(const std::vector<double>& values, std::size_t n_sources,
+                                   std::size_t n_classes) {
   if (n_classes == 1) return values;
   const std::size_t n = n_sources ? values.size() / n_sources : 0;
   std::vector<double> result(values.size() * n_classes);
@@ -156,13 +161,14 @@ void check_size(std::size_t n_cells, std::size_t n_points, std::size_t n_sources
                 std::size_t n_bands, const Job& job) {
   constexpr double kGiB = 1024.0 * 1024.0 * 1024.0;
   const std::size_t columns = n_sources * n_classes;
-  const std::size_t needed = (n_cells + n_points) * (columns * 3 * sizeof(double) + n_sources * n_bands * 2 * sizeof(float) +
-                                                     kBlockBytes);
+  const std::size_t needed = (n_cells + n_points) * (columns * 3 * sizeof(double) +
+                                                     n_sources * n_bands * 2 * sizeof(float) + kBlockBytes);
   if (needed > job.memory_limit_bytes)
-    throw LimitError(fmt::format("{} cells and points x {} sources x {} bands need {:.2f} GiB, {:.2f} GiB are free; use "
-                                 "--combine group, fewer --bands or a larger --cell",
-                                 n_cells + n_points, n_sources, n_bands, static_cast<double>(needed) / kGiB,
-                                 static_cast<double>(job.memory_limit_bytes) / kGiB));
+    throw LimitError(
+        fmt::format("{} cells and points x {} sources x {} bands need {:.2f} GiB, {:.2f} GiB are free; use "
+                    "--combine group, fewer --bands or a larger --cell",
+                    n_cells + n_points, n_sources, n_bands, static_cast<double>(needed) / kGiB,
+                    static_cast<double>(job.memory_limit_bytes) / kGiB));
 }
 
 // The first flights of each source, luminaires weighted by flux; the long count only where light can leave.
@@ -171,24 +177,29 @@ std::vector<FirstFlight> source_flights(const Zone& zone, const Network& network
   const bool bodies = std::any_of(lights.luminaires.begin(), lights.luminaires.end(),
                                   [](const Luminaire& luminaire) { return luminaire.body; });
   const auto probes = first_flights(zone, lights, kProbeRays, job);
-  bool leaves = network.is_open() || bodies;
+  // A few rays in a million that slip past an edge do not make a zone open.
+  constexpr double kLeak = 1e-4;
+  const double n_rays = static_cast<double>(network.sinks.n_rays());
+  bool leaves = bodies || static_cast<double>(network.n_escaped_rays + network.n_back_rays) > kLeak * n_rays;
   for (std::size_t l = 0; l < probes.size(); ++l) {
     const auto& luminaire = lights.luminaires[l];
     const double off = probes[l].escaped + probes[l].lost;
-    leaves = leaves || off > 0.0;
+    leaves = leaves || off > kLeak * 10.0;
     if (off > 0.5)
-      warnings.push_back({luminaire.place,
-                          fmt::format("luminaire '{}': {:.0f} % of its light never reaches the lit side of a surface; it "
-                                      "seems to be outside the zone or inside an obstruction",
-                                      luminaire.name, 100.0 * off),
-                          "check 'at' and 'aim'"});
+      warnings.push_back(
+          {luminaire.place,
+           fmt::format("luminaire '{}': {:.0f} % of its light never reaches the lit side of a surface; it "
+                       "seems to be outside the zone or inside an obstruction",
+                       luminaire.name, 100.0 * off),
+           "check 'at' and 'aim'"});
   }
   std::vector<FirstFlight> flights(sources.sources.size());
   if (!leaves) return flights;
   const auto counted = first_flights(zone, lights, kBalanceRays, job);
   for (std::size_t l = 0; l < counted.size(); ++l) {
     const std::size_t s = sources.of_luminaire[l];
-    const double weight = sources.sources[s].flux_lm > 0.0 ? counted[l].flux_lm / sources.sources[s].flux_lm : 0.0;
+    const double weight =
+        sources.sources[s].flux_lm > 0.0 ? counted[l].flux_lm / sources.sources[s].flux_lm : 0.0;
     flights[s].escaped += weight * counted[l].escaped;
     flights[s].lost += weight * counted[l].lost;
   }
@@ -213,9 +224,9 @@ Solution simulate(const Zone& zone, const Cells& cells, const Network& network, 
     for (std::size_t c = 0; c < n_columns; ++c)
       reflectance[surface * n_columns + c] = classes.of_surface[c / n_sources][surface];
   }
-  const Gathered gathered =
-      gather(network, cells, repeat_columns(direct.cell_lx, n_sources, n_classes),
-             repeat_columns(direct.point_lx, n_sources, n_classes), reflectance, n_columns, options.gather, job);
+  const Gathered gathered = gather(network, cells, repeat_columns(direct.cell_lx, n_sources, n_classes),
+                                   repeat_columns(direct.point_lx, n_sources, n_classes), reflectance,
+                                   n_columns, options.gather, job);
 
   Solution solution;
   solution.bands = options.bands;

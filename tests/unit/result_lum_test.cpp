@@ -1,0 +1,160 @@
+// .lum files: what was solved comes back, mixes are sums, forgeries are refused.
+#include <nlohmann/json.hpp>
+
+#include "catch.hpp"
+#include "property/transport_support.hpp"
+#include "result/luminous.hpp"
+#include "scene/zone_storage.hpp"
+#include "unit/files_support.hpp"
+
+using namespace dim;
+using namespace dim::test;
+using files_test::Folder;
+using files_test::io_error;
+
+namespace {
+
+Zone lit_zone() {
+  Zone zone = furnished_room(0.5, 0.9);
+  zone.finishes[0].diffuse = SpectralCurve({{380, 0.2}, {780, 0.8}});
+  for (int i = 0; i < 4; ++i) zone.points.push_back({{-1.0 + i, 0.5, -0.3}, {0, 0, 1}});
+  zone.point_sets.push_back({"line", 0, 4});
+  return zone;
+}
+
+Lights two_lamps() {
+  Lights lights = point_lamp({-2, 0, 1.2}, 200.0);
+  add_lamp(lights, "panel", {1, 1, 1.3}, IntensityTable::lambertian(300.0),
+           {.opening = rectangle(0.6, 0.3), .factor = 0.75, .group = "row"});
+  lights.fittings[1].spectrum = SpectralCurve({{380, 1.0}, {780, 0.2}});
+  return lights;
+}
+
+SimulationOptions three_bands() {
+  SimulationOptions options;
+  options.bands = Bands::uniform(3);
+  return options;
+}
+
+// A database with its description changed, the rest as save_lum writes it.
+std::string refusal(const std::function<void(nlohmann::json&)>& change, const std::string& path,
+                    std::size_t n_areas = 0) {
+  const Zone zone = box_zone({2, 2, 2}, 0.5, 2.0);
+  const Lights lights = point_lamp({0, 0, 0}, 1.0);
+  const Cells cells(zone);
+  const Solution solution = solve(zone, lights, network_of(zone, {1, 1}));
+  save_lum(path, zone, cells, lights, solution, "hash");
+  auto json = nlohmann::json::parse(Hdf5Reader(path, "lum", kLumVersion).text("/description"));
+  change(json);
+  Hdf5Writer file("lum", kLumVersion);
+  store_zone(file, zone);
+  file.text("/description", json.dump());
+  file.attribute("/", "rays_hash", "hash");
+  file.dataset<double>("/bands", solution.bands.edges_nm, {2}, "nm");
+  const std::vector<double> area(n_areas ? n_areas : 6, 4.0);
+  file.dataset<double>("/cells/area", area, {area.size()}, "m2");
+  file.dataset<float>("/cells/total", solution.cell_total, {1, 1, 6}, "W/m2");
+  file.dataset<float>("/points/total", solution.point_total, {1, 1, 0}, "W/m2");
+  std::move(file).write(path);
+  return io_error([&] {
+    const LuminanceDatabase database(path);
+    cell_illuminance_lx(database, Mix(database.sources().size(), 1.0));
+  });
+}
+
+}  // namespace
+
+TEST_CASE("A luminance database gives back what was solved", "[result][unit]") {
+  const Folder folder;
+  const Zone zone = lit_zone();
+  const Cells cells(zone);
+  const Lights lights = two_lamps();
+  const Solution solution = solve(zone, lights, network_of(zone, {4, 6}), three_bands());
+  const std::string hash = save_lum(folder / "a.lum", zone, cells, lights, solution, "abc");
+  const LuminanceDatabase database(folder / "a.lum");
+  CHECK(database.hash() == hash);
+  CHECK(database.rays_hash() == "abc");
+  CHECK(database.n_cells() == cells.size());
+  CHECK(database.bands().edges_nm == solution.bands.edges_nm);
+  CHECK(database.zone().surfaces.size() == zone.surfaces.size());
+  REQUIRE(database.sources().size() == 2);
+  const std::size_t n = cells.size();
+  for (std::size_t s = 0; s < 2; ++s) {
+    const auto &a = database.sources()[s], &b = solution.sources[s];
+    CHECK(a.name == b.name);
+    CHECK(a.group == b.group);
+    CHECK(a.luminaires == b.luminaires);
+    CHECK(a.flux_lm == b.flux_lm);
+    CHECK(a.weights == b.weights);
+    CHECK(a.iterations == b.iterations);
+    CHECK(a.residual == b.residual);
+    CHECK(a.error_bound == b.error_bound);
+    REQUIRE(a.energy.size() == 3);
+    for (std::size_t band = 0; band < 3; ++band) {
+      CHECK(a.energy[band].emitted_W == b.energy[band].emitted_W);
+      CHECK(a.energy[band].absorbed_W == b.energy[band].absorbed_W);
+      CHECK(a.energy[band].escaped_W == b.energy[band].escaped_W);
+      CHECK(a.energy[band].lost_W == b.energy[band].lost_W);
+      CHECK(a.energy[band].dropped_W == b.energy[band].dropped_W);
+      CHECK(a.energy[band].imbalance == b.energy[band].imbalance);
+    }
+    const auto irradiance = database.cell_irradiance(s);
+    CHECK(std::equal(irradiance.begin(), irradiance.end(), &solution.cell_total[solution.cell_row(s, 0)]));
+    const auto at_points = database.point_irradiance(s);
+    CHECK(std::equal(at_points.begin(), at_points.end(), &solution.point_total[solution.point_row(s, 0)]));
+  }
+  REQUIRE(database.luminaires().size() == 2);
+  const auto& shown = database.luminaires()[1];
+  CHECK(shown.name == "panel");
+  CHECK(shown.source == 1);
+  CHECK(shown.at == lights.luminaires[1].at);
+  CHECK(shown.aim == lights.luminaires[1].aim);
+  CHECK(shown.c0 == lights.luminaires[1].c0);
+  CHECK(shown.c90 == lights.luminaires[1].c90);
+  CHECK(shown.factor == 0.75);
+  CHECK(shown.opening.shape == OpeningShape::kRectangle);
+  CHECK(shown.opening.length_m == 0.6);
+  CHECK(shown.opening.width_m == 0.3);
+  REQUIRE(database.photometry().size() == 2);
+  CHECK(database.photometry()[shown.photometry][60] == Approx(300.0 * 0.5).epsilon(1e-9));
+
+  // Any mix is the weighted sum; illuminance of both kinds agrees with the solution's own numbers.
+  const Mix mix = {0.5, 2.0};
+  const auto cell = cell_illuminance_lx(database, mix), point = point_illuminance_lx(database, mix);
+  const auto a = cell_lx(solution, 0), b = cell_lx(solution, 1);
+  for (std::size_t i = 0; i < n; ++i) CHECK(cell[i] == Approx(0.5 * a[i] + 2.0 * b[i]).epsilon(1e-12));
+  const auto c = test::point_lx(solution, 0), d = test::point_lx(solution, 1);
+  for (std::size_t i = 0; i < 4; ++i) CHECK(point[i] == Approx(0.5 * c[i] + 2.0 * d[i]).epsilon(1e-12));
+
+  // What an eye sees of a cell is what its reflectance makes of each band: rho E / pi.
+  const auto appearance = cell_appearance(database, cells, mix);
+  for (std::size_t i = 0; i < n; i += 7) {
+    CHECK(appearance.illuminance_lx[i] == Approx(cell[i]).epsilon(1e-12));
+    double luminance = 0.0;
+    for (std::size_t s = 0; s < 2; ++s) {
+      for (std::size_t band = 0; band < 3; ++band) {
+        const double rho = 0.2 + 0.6 * (static_cast<double>(band) + 0.5) / 3.0;  // middle of a straight line
+        luminance += mix[s] * 683.0 * solution.sources[s].weights.y[band] * rho / kPi *
+                     static_cast<double>(solution.cell_total[solution.cell_row(s, band) + i]);
+      }
+    }
+    CHECK(appearance.xyz_cd_m2[i].y == Approx(luminance).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("A forged luminance database is refused", "[result][unit]") {
+  const Folder folder;
+  const std::string path = folder / "a.lum";
+  using Json = nlohmann::json;
+  CHECK(refusal([](Json&) {}, path).empty());
+  CHECK_FALSE(refusal([](Json& j) { j["luminaires"][0]["source"] = 1; }, path).empty());
+  CHECK_FALSE(refusal([](Json& j) { j["luminaires"][0]["source"] = -1; }, path).empty());
+  CHECK_FALSE(refusal([](Json& j) { j["luminaires"][0]["photometry"] = 9; }, path).empty());
+  CHECK_FALSE(refusal([](Json& j) { j["luminaires"][0]["at"] = {1.0}; }, path).empty());
+  CHECK_FALSE(refusal([](Json& j) { j["photometry"][0]["mean_intensity_cd"] = {1.0, 2.0}; }, path).empty());
+  CHECK_FALSE(refusal([](Json& j) { j["sources"][0]["weights"]["y"] = Json::array(); }, path).empty());
+  CHECK_FALSE(refusal([](Json& j) { j["sources"][0]["name"] = 3; }, path).empty());
+  CHECK_FALSE(refusal([](Json& j) { j["sources"] = Json::array(); }, path).empty());
+  CHECK_FALSE(refusal([](Json& j) { j["sources"].push_back(j["sources"][0]); }, path).empty());
+  CHECK_FALSE(refusal([](Json&) {}, path, 5).empty());  // areas of five cells, irradiances of six
+}
