@@ -313,7 +313,7 @@ TEST_CASE("Hundreds of copies at one place are refused together, not pair by pai
     names += "\"d" + std::to_string(i) + "\",";
     by += "[1,0,0],";
   }
-  const auto problems = with("[[box]]\nname = \"d\"\nfinish = \"grey\"\ncorner = [1,1,1]\nsize = [0.2,0.2,0.2]\n"
+  const auto problems = with("[[box]]\nname = \"d\"\nfinish = \"wall\"\ncorner = [1,1,1]\nsize = [0.2,0.2,0.2]\n"
                              "[[copy]]\nof = \"d\"\nnames = [" + names + "]\nby = [" + by + "]\n");
   REQUIRE(problems.size() == 1);
   CHECK(problems[0].find("lie on top of each other") != std::string::npos);

@@ -103,7 +103,7 @@ VerifiedFile verify_file(const std::string& source, const std::string& expected_
                          const Job& job) {
   VerifiedFile content;
   auto file = std::make_unique<InputFile>(source, job);
-  const std::string path = source == "-" ? "standard input" : source;
+  const std::string path = name_for_messages(source);
   std::array<char, kHeader_bytes> block = {};
   const auto start = std::span(block).first(file->read(std::as_writable_bytes(std::span(block))));
   content.header = parse_header(path, start, expected_kind, max_version);
@@ -127,7 +127,7 @@ VerifiedFile verify_file(const std::string& source, const std::string& expected_
 hdf5::Handle open_verified(const std::string& path, VerifiedFile& content) {
   hdf5::Handle file = content.on_disk ? open_disk(path, *content.on_disk) : open_memory(content);
   content.on_disk.reset();
-  if (!file) throw IoError(path, "cannot be opened" + hdf5::reason());
+  if (!file) throw IoError(name_for_messages(path), "cannot be opened" + hdf5::reason());
   return file;
 }
 

@@ -17,8 +17,6 @@
 namespace dim {
 namespace {
 
-std::string name_for_messages(const std::string& path) { return path == "-" ? "standard input" : path; }
-
 constexpr std::size_t kFirstRead_bytes = std::size_t{64} << 10;
 constexpr std::size_t kLargestCall_bytes = std::size_t{32} << 20;  // the stop flag is looked at between calls
 constexpr int kPipe_bytes = 1 << 20;
@@ -104,6 +102,8 @@ std::string read_text_file(const std::string& path, std::size_t max_bytes, const
   if (text.capacity() / 2 > text.size()) text.shrink_to_fit();
   return text;
 }
+
+std::string name_for_messages(const std::string& path) { return path == "-" ? "standard input" : path; }
 
 std::string size_in_words(std::uint64_t n_bytes) {
   constexpr std::array kUnits = {"KiB", "MiB", "GiB", "TiB", "PiB", "EiB"};

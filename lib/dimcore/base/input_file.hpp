@@ -45,6 +45,9 @@ class InputFile {
 /// @throws IoError   missing, a directory, not readable, larger than `max_bytes`
 std::string read_text_file(const std::string& path, std::size_t max_bytes, const Job& job = {});
 
+/// What messages call an input: its path, and `-` "standard input".
+std::string name_for_messages(const std::string& path);
+
 /// A size in words for messages: "512 bytes", "64 MiB", "1.1 GiB".
 std::string size_in_words(std::uint64_t n_bytes);
 
