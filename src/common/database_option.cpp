@@ -19,7 +19,8 @@ DatabaseSearch database_search(const std::string& option, const std::string& inp
     if (fs::is_directory(folder, error)) search.folders.push_back(folder.string());
   };
   if (!option.empty()) {
-    if (!fs::is_directory(option)) throw UsageError("--db '" + option + "' is not a folder");
+    std::error_code error;
+    if (!fs::is_directory(option, error)) throw UsageError("--db '" + option + "' is not a folder");
     add(option);
   }
   if (input_file != "-") add(fs::path(input_file).parent_path() / "db");

@@ -13,16 +13,29 @@
 
 #include "base/atomic_file.hpp"
 #include "base/version.hpp"
+#include "common/files.hpp"
 #include "common/progress_line.hpp"
 
 namespace dim {
 namespace {
 
+constexpr int kInterrupted = static_cast<int>(Exit::interrupted);
 std::atomic<bool> stop_requested{false};
 
-void on_signal(int signal) {
-  // A second Ctrl-C does not wait for the program to notice the first.
-  if (stop_requested.exchange(true)) _exit(128 + signal);
+std::atomic<bool> output_begun{false};
+
+// A second Ctrl-C does not wait for the program to notice the first; nor, after a second, does the first
+// where no half-written file would be left.
+void on_signal(int) {
+  if (stop_requested.exchange(true)) _exit(kInterrupted);
+  alarm(1);
+}
+
+void on_alarm(int) {
+  if (output_begun.load()) return;
+  constexpr char kWords[] = "interrupted; nothing was written\n";
+  [[maybe_unused]] const auto n = write(STDERR_FILENO, kWords, sizeof kWords - 1);
+  _exit(kInterrupted);
 }
 
 void install_signal_handlers() {
@@ -30,6 +43,8 @@ void install_signal_handlers() {
   action.sa_handler = on_signal;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  action.sa_handler = on_alarm;
+  sigaction(SIGALRM, &action, nullptr);
   // A reader that went away and a file-size limit come back as errors of write().
   signal(SIGPIPE, SIG_IGN);
   signal(SIGXFSZ, SIG_IGN);
@@ -38,6 +53,12 @@ void install_signal_handlers() {
 constexpr const char* kExitCodes =
     "Exit status: 0 done, 1 result written but a requested check failed, 2 command line wrong,\n"
     "3 input wrong, 4 file or system, 5 internal error, 130 interrupted.";
+
+constexpr const char* kVersionHelp = "Print version, compiler and file formats";
+
+std::string footer(const std::string& example) {
+  return fmt::format("Example:\n{}\n\n{}", example, kExitCodes);
+}
 
 std::string version_text(const std::string& name, const std::string& formats) {
   return fmt::format("{} {}\ncompiler {} {}\nlibraries fmt {}.{}, oneTBB {}, nlohmann-json {}.{}\n{}", name,
@@ -72,18 +93,25 @@ struct StageClock {
 Program::Program(std::string name, const std::string& description, const std::string& example,
                  const std::string& formats)
     : name_(std::move(name)),
+      version_(version_text(name_, formats)),
       app_(description, name_),
       stats_(std::make_shared<nlohmann::json>()),
       clock_(std::make_shared<StageClock>()) {
-  app_.footer(fmt::format("Example:\n{}\n\n{}", example, kExitCodes));
-  app_.set_version_flag("--version", version_text(name_, formats),
-                        "Print version, compiler and file formats");
+  app_.footer(footer(example));
+  app_.set_version_flag("--version", version_, kVersionHelp);
   app_.set_help_flag("--help,-h", "Print this help");
   app_.get_formatter()->column_width(34);
   app_.option_defaults()->always_capture_default();
 }
 
+CLI::App* Program::add_command(const std::string& name, const std::string& what, const std::string& example) {
+  auto* command = app_.add_subcommand(name, what);
+  command->footer(footer(example));
+  return command;
+}
+
 void Program::add_common_options(CLI::App& app, bool stats_taken) {
+  if (&app != &app_) app.set_version_flag("--version", version_, kVersionHelp);
   app.add_flag("--quiet,-q", quiet_, "No messages but errors")->group("Messages");
   app.add_flag("--verbose,-v", verbose_, "Say what is done")->group("Messages");
   app.add_option("--progress", progress_, "Progress bar: auto, always or never")
@@ -104,6 +132,7 @@ void Program::apply_options() {
   const bool terminal = isatty(STDERR_FILENO) != 0;
   if (!quiet_ && progress_ != "never" && (progress_ == "always" || terminal))
     line_ = std::make_shared<ProgressLine>(name_, progress_ == "always");
+  if (!stats_path_.empty()) refuse_unwritable(stats_path_);
 }
 
 int Program::run(int argc, char** argv, const std::function<Exit()>& work) {
@@ -112,7 +141,7 @@ int Program::run(int argc, char** argv, const std::function<Exit()>& work) {
   } catch (const CLI::Success& success) {
     return app_.exit(success);
   } catch (const CLI::ParseError& error) {
-    return fail(Exit::usage, fmt::format("{}\n        see '{} --help'", error.what(), name_));
+    return fail(Exit::usage, parse_problem(error, argc > 1 ? argv[1] : ""));
   }
   install_signal_handlers();
   int status = 0;
@@ -139,6 +168,27 @@ int Program::run(int argc, char** argv, const std::function<Exit()>& work) {
   }
 }
 
+// The parser's words, and for a word it does not know the nearest option or command that it does.
+std::string Program::parse_problem(const CLI::ParseError& error, const std::string& first_word) const {
+  const CLI::App* command = &app_;
+  if (const auto parsed = app_.get_subcommands(); !parsed.empty()) command = parsed.front();
+  std::string cure =
+      fmt::format("see '{} --help'", command == &app_ ? name_ : name_ + " " + command->get_name());
+  const bool unknown_word = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
+  auto words = unknown_word ? command->remaining() : std::vector<std::string>{};
+  // A misspelt command is taken for the input file, and the file after it is then the word too many.
+  if (unknown_word && command == &app_) words.push_back(first_word);
+  std::vector<std::string> known;
+  for (const auto* option : command->get_options())
+    for (const auto& name : option->get_lnames()) known.push_back("--" + name);
+  for (const auto* other : app_.get_subcommands(nullptr)) known.push_back(other->get_name());
+  for (const auto& word : words) {
+    const std::string hint = did_you_mean(word.substr(0, word.find('=')), known);
+    if (!hint.empty()) cure = hint;
+  }
+  return fmt::format("{}\n        {}", error.what(), cure);
+}
+
 int Program::fail(Exit status, const std::string& text) const {
   if (line_) line_->clear();
   std::cerr << name_ << ": error: " << text << '\n';
@@ -161,6 +211,23 @@ Job Program::job() {
   if (line_)
     job.progress = [line = line_](const char* stage, double fraction) { line->show(stage, fraction); };
   return job;
+}
+
+void Program::check_output(const std::string& path, const std::vector<std::string>& inputs) const {
+  if (path == "-") {
+    if (stats_path_ == "-") throw UsageError("the result and --stats cannot both go to standard output");
+    return;
+  }
+  auto others = inputs;
+  if (!stats_path_.empty()) others.push_back(stats_path_);
+  for (const auto& other : others)
+    if (is_same_file(path, other))
+      throw UsageError(fmt::format("'{}' would be replaced by the result; give -o another name", other));
+  for (const auto& input : inputs)
+    if (is_same_file(stats_path_, input))
+      throw UsageError(
+          fmt::format("'{}' would be replaced by the statistics; give --stats another name", input));
+  refuse_unwritable(path);
 }
 
 void Program::say(const std::string& text) const {
@@ -187,6 +254,7 @@ void Program::stage(const std::string& name) {
   }
   if (line_) line_->clear();
   clock_->stage = name;
+  output_begun = name == kWritingStage;
   clock_->stage_start = StageClock::Clock::now();
 }
 

@@ -21,6 +21,8 @@ enum class Exit {
   interrupted = 130
 };
 
+inline constexpr const char* kWritingStage = "write";
+
 /// What the programs have in common: options of the same names, messages, progress, statistics, exit status.
 class Program {
  public:
@@ -30,7 +32,10 @@ class Program {
 
   CLI::App& app() { return app_; }
 
-  /// Adds --quiet, --verbose, --threads, --progress and --stats to an app or subcommand.
+  /// Adds a command: its help ends with the example and the exit status, as the program's own does.
+  CLI::App* add_command(const std::string& name, const std::string& what, const std::string& example);
+
+  /// Adds --quiet, --verbose, --threads, --progress, --stats and --version to an app or subcommand.
   /// @param stats_taken  the command has a --stats of its own; ours is then --run-stats alone
   void add_common_options(CLI::App& app, bool stats_taken = false);
 
@@ -40,12 +45,17 @@ class Program {
   /// Progress, interruption and memory limit for the library.
   Job job();
 
+  /// Refuses, before any work, an output that cannot be written or that would replace an input or the
+  /// statistics; `-` and special files are not looked at.
+  /// @throws UsageError, IoError
+  void check_output(const std::string& path, const std::vector<std::string>& inputs) const;
+
   /// A line on stderr unless --quiet; `verbose` only with --verbose.
   void say(const std::string& text) const;
   void say_verbose(const std::string& text) const;
   void warn(const Warnings& warnings) const;
 
-  /// Starts the clock of a stage, ending the one before.
+  /// Starts the clock of a stage, ending the one before. An interruption waits for the end of kWritingStage.
   void stage(const std::string& name);
   /// What --stats writes, to be added to.
   nlohmann::json& stats() { return *stats_; }
@@ -53,11 +63,13 @@ class Program {
 
  private:
   void apply_options();
+  std::string parse_problem(const CLI::ParseError& error, const std::string& first_word) const;
   void write_stats();
   int fail(Exit status, const std::string& text) const;
   int fail(const InputError& error) const;
 
   std::string name_;
+  std::string version_;
   CLI::App app_;
   bool quiet_ = false;
   bool verbose_ = false;

@@ -8,6 +8,14 @@
 namespace dim {
 namespace {
 
+PatchGrid patches_of(const std::string& text, const std::string& option) {
+  try {
+    return parse_patches(text, option);
+  } catch (const InputError& error) {
+    throw UsageError(error.what());
+  }
+}
+
 void warn_about_points(const Program& program, const Zone& zone, const Network& network) {
   Warnings warnings;
   for (const auto& set : zone.point_sets) {
@@ -50,8 +58,10 @@ Exit DiscretiseCommand::run() {
   if (input_.path.empty()) throw UsageError("no zone file given; see 'dimdis --help'");
   if (output_.empty()) throw UsageError("no output given; use -o ROOM.rays, or -o - for a pipe");
   refuse_terminal(output_, "a ray network");
+  program_.check_output(output_, {input_.path});
   NetworkOptions options;
-  options.patches = parse_patches(patches_, "--patches");
+  options.patches = patches_of(patches_, "--patches");
+  options.point_patches = patches_of(point_patches_, "--point-patches");
   options.sampling = sampling_ == "centre" ? Sampling::centre : Sampling::stratified;
   options.family = family_;
   options.seed = seed_;
@@ -65,7 +75,7 @@ Exit DiscretiseCommand::run() {
   program_.stage("rays");
   const Job job = program_.job();
   const Network network = build_network(zone, cells, options, job);
-  program_.stage("write");
+  program_.stage(kWritingStage);
   const std::string hash = save_rays(output_, zone, cells, network, job);
   program_.stage("");
 

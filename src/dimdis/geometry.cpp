@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/atomic_file.hpp"
+#include "common/in_file.hpp"
 #include "common/table.hpp"
 #include "dimdis/options.hpp"
 #include "geometry/hidden_lines.hpp"
@@ -27,10 +28,8 @@ GeometryCommands::GeometryCommands(Program& program) : program_(program) {
   draw_->add_option("--view", view_, "View of the zone file; its first one unless said")->type_name("NAME");
 }
 
-CLI::App* GeometryCommands::add(const std::string& name, const std::string& what,
-                                const std::string& example) {
-  auto* command = program_.app().add_subcommand(name, what);
-  command->footer("Example:\n" + example);
+CLI::App* GeometryCommands::add(const std::string& name, const std::string& what, const std::string& example) {
+  auto* command = program_.add_command(name, what, example);
   add_zone_options(*command, input_, true);
   if (name != "check")
     command->add_option("-o,--output", output_, "File to write, - for standard output")->type_name("FILE");
@@ -63,22 +62,27 @@ Exit GeometryCommands::check() {
 }
 
 Exit GeometryCommands::areas() {
+  program_.check_output(output_, {input_.path});
   const Zone zone = read_zone(program_, input_);
   const Cells cells(zone);
   Table table({"surface", "area_m2", "cells"});
   for (std::size_t s = 0; s < zone.surfaces.size(); ++s)
     table.add({zone.surfaces[s].name, zone.surfaces[s].polygon.area_m2(),
                static_cast<long>(cells.first(s + 1) - cells.first(s))});
+  program_.stage(kWritingStage);
   write_file(output_, table.csv());
+  program_.stage("");
   program_.say(zone.closed ? fmt::format("volume {:.9g} m3", zone_volume_m3(zone))
                            : "the zone is not closed: it has no volume");
   return Exit::done;
 }
 
 Exit GeometryCommands::factors() {
+  program_.check_output(output_, {input_.path});
   const Zone zone = read_zone(program_, input_);
+  program_.stage("rays");
   const ViewFactors factors = view_factors(plates_of(zone), zone.diameter_m, rays_, program_.job());
-  program_.stage("");
+  program_.stage(kWritingStage);
   Table table({"from", "to", "view_factor"});
   double worst_row = 0.0, escaped = 0.0;
   for (std::size_t i = 0; i < factors.rows.size(); ++i) {
@@ -91,22 +95,25 @@ Exit GeometryCommands::factors() {
                                      factors.row_sums[i], factors.escaped[i] + factors.behind[i]));
   }
   write_file(output_, table.csv());
-  program_.say(fmt::format(
-      "reciprocity of the rays {:.2e} of the area (RMS {:.2e}); rows add up to 1 within {:.2e}; at "
-      "most {:.4f} of a surface's view leaves the zone",
-      factors.reciprocity_total, factors.reciprocity_rms, worst_row, escaped));
+  program_.stage("");
+  program_.say(fmt::format("reciprocity of the rays {:.2e} of the area (RMS {:.2e}); rows add up to 1 within {:.2e}; at "
+                           "most {:.4f} of a surface's view leaves the zone",
+                           factors.reciprocity_total, factors.reciprocity_rms, worst_row, escaped));
   return Exit::done;
 }
 
 Exit GeometryCommands::draw() {
+  program_.check_output(output_, {input_.path});
   const Zone zone = read_zone(program_, input_);
-  const View& view = find_view(zone, view_);
+  const View& view = in_file(input_.path, [&]() -> const View& { return find_view(zone, view_); });
   const Camera camera{view.eye, view.focus, view.up, view.fov_rad, view.width, view.height};
   auto plates = plates_of(zone);
   // From outside the camera looks through the near walls, as into a cut-away model.
   for (std::size_t s = 0; s < plates.size(); ++s) plates[s].open_back |= zone.surfaces[s].bounding;
-  write_file(output_, to_svg(hidden_lines(plates, zone.diameter_m, camera, program_.job()), view.width,
-                             view.height, zone.name + ", view " + view.name));
+  program_.stage("lines");
+  const auto lines = hidden_lines(plates, zone.diameter_m, camera, program_.job());
+  program_.stage(kWritingStage);
+  write_file(output_, to_svg(lines, view.width, view.height, zone.name + ", view " + view.name));
   return Exit::done;
 }
 

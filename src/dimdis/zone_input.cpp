@@ -1,5 +1,8 @@
+#include <cmath>
+
 #include "base/input_file.hpp"
 #include "common/database_option.hpp"
+#include "common/option_checks.hpp"
 #include "dimdis/options.hpp"
 #include "scene/zone_reader.hpp"
 
@@ -11,9 +14,12 @@ void add_zone_options(CLI::App& app, ZoneInput& input, bool required) {
   app.add_option("--set", input.overrides, "Override a value of the zone file: KEY=VALUE, repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false)
+      ->check(pair_of("KEY=VALUE"))
+      ->default_str("")
       ->group("Input");
   app.add_option("--cell", input.cell_m, "Target cell edge, m, in place of the zone file's")
-      ->check(CLI::PositiveNumber)
+      ->check(number_within(0.0, HUGE_VAL, true))
+      ->default_str("")
       ->type_name("SIZE")
       ->group("Input");
   add_database_option(app, input.database);
@@ -26,6 +32,7 @@ Zone read_zone(Program& program, const ZoneInput& input) {
   Zone zone = read_zone(text, input.path == "-" ? "<stdin>" : input.path, input.overrides, input.cell_m,
                         database_search(input.database, input.path), warnings);
   program.warn(warnings);
+  check_cells_fit(zone, program.job().memory_limit_bytes);
   return zone;
 }
 

@@ -24,12 +24,14 @@ CLI::App* add_command(Program& program, DatabaseInput& input, const std::string&
                       const std::string& what, const std::string& example);
 void add_table_options(CLI::App& command, DatabaseInput& input, bool by_source);
 
-/// Calls `each` once with all sources mixed, or with --by source once a source; the name is empty for the
-/// mix.
+/// The factors that --mix asks for.
+Mix mix_of(const LuminanceDatabase& database, const DatabaseInput& input);
+
+/// Calls `each` once with all sources mixed, or with --by source once a source; the name is empty for the mix.
 void for_sources(const LuminanceDatabase& database, const DatabaseInput& input,
                  const std::function<void(const std::string& source, const Mix& mix)>& each);
 
-void write_table(const Table& table, const DatabaseInput& input);
+void write_table(Program& program, const Table& table, const DatabaseInput& input);
 
 /// A column list with `source` in front where --by source asks for it.
 std::vector<std::string> columns_with_source(const DatabaseInput& input, std::vector<std::string> columns);

@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 
 #include "base/version.hpp"
+#include "common/in_file.hpp"
+#include "common/option_checks.hpp"
 #include "dimout/commands.hpp"
 #include "image/render.hpp"
 #include "image/writer.hpp"
@@ -29,7 +32,7 @@ void parse_range(const std::string& text, FalseColourOptions& options) {
     if (part.empty()) return {};
     char* end = nullptr;
     const double value = std::strtod(part.c_str(), &end);
-    if (*end != '\0') throw UsageError("--range '" + text + "' is not LOW:HIGH");
+    if (*end != '\0' || !std::isfinite(value)) throw UsageError("--range '" + text + "' is not LOW:HIGH");
     return value;
   };
   if (colon == std::string::npos) throw UsageError("--range '" + text + "' is not LOW:HIGH");
@@ -57,7 +60,8 @@ ImageCommand::ImageCommand(Program& program) : program_(program) {
                  "linear: display luminance in proportion; falsecolour: figures with a legend")
       ->check(CLI::IsMember({"linear", "falsecolour"}));
   app.add_option("--white", white_cd_m2_, "Luminance shown as white, cd/m2; 0: found from the picture")
-      ->check(CLI::NonNegativeNumber)
+      ->check(number_within(0.0, HUGE_VAL))
+      ->type_name("CD_M2")
       ->group("Linear tone");
   app.add_option("--quantity", quantity_, "What false colour shows")
       ->check(CLI::IsMember({"illuminance", "luminance"}))
@@ -75,7 +79,7 @@ bool ImageCommand::run() {
 }
 
 View ImageCommand::chosen_view(const Zone& zone) const {
-  View view = find_view(zone, view_);
+  View view = in_file(input_.path, [&] { return find_view(zone, view_); });
   if (!size_.empty()) std::tie(view.width, view.height) = parse_size(size_);
   return view;
 }
@@ -83,6 +87,7 @@ View ImageCommand::chosen_view(const Zone& zone) const {
 void ImageCommand::render() {
   const auto format = picture_format_of(input_.output);
   if (!format) throw UsageError("-o '" + input_.output + "': the name must end in .png, .hdr or .exr");
+  program_.check_output(input_.output, {input_.path});
   PictureOptions picture;
   picture.format = *format;
   picture.tone = tone_ == "falsecolour" ? Tone::false_colour : Tone::linear;
@@ -101,10 +106,10 @@ void ImageCommand::render() {
   options.smooth = shade_ == "smooth";
   options.scalar = quantity_ == "illuminance" ? ScalarQuantity::illuminance : ScalarQuantity::luminance;
   program_.stage("render");
-  const Mix mix = parse_mix(input_.mix, database.sources());
+  const Mix mix = mix_of(database, input_);
   const Raster raster = render_view(database, cells, mix, options, program_.job());
   picture.linear.scene_white_xyz = scene_white(database, mix);
-  program_.stage("picture");
+  program_.stage(kWritingStage);
   const auto report = write_picture(executable_folder() + "/../lib/dim", input_.output, raster, picture);
   program_.stage("");
   program_.warn(report.warnings);

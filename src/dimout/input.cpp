@@ -1,19 +1,20 @@
 #include "base/atomic_file.hpp"
+#include "common/in_file.hpp"
+#include "common/option_checks.hpp"
 #include "dimout/commands.hpp"
 
 namespace dim {
 
-CLI::App* add_command(Program& program, DatabaseInput& input, const std::string& name,
-                      const std::string& what, const std::string& example) {
-  auto* command = program.app().add_subcommand(name, what);
-  command->footer("Example:\n  " + example);
-  command->add_option("ROOM.lum", input.path, "Luminance database, - for standard input")
-      ->required()
-      ->type_name("");
+CLI::App* add_command(Program& program, DatabaseInput& input, const std::string& name, const std::string& what,
+                      const std::string& example) {
+  auto* command = program.add_command(name, what, "  " + example);
+  command->add_option("ROOM.lum", input.path, "Luminance database, - for standard input")->required()->type_name("");
   command
       ->add_option("--mix", input.mix, "Factor on a source or a group of sources, repeatable; others stay 1")
       ->type_name("NAME=FACTOR")
       ->allow_extra_args(false)
+      ->check(pair_with_factor("NAME=FACTOR"))
+      ->default_str("")
       ->group("Input");
   program.add_common_options(*command, name == "grid");
   return command;
@@ -30,9 +31,13 @@ void add_table_options(CLI::App& command, DatabaseInput& input, bool by_source) 
         ->check(CLI::IsMember({"source"}));
 }
 
+Mix mix_of(const LuminanceDatabase& database, const DatabaseInput& input) {
+  return in_file(input.path, [&] { return parse_mix(input.mix, database.sources()); });
+}
+
 void for_sources(const LuminanceDatabase& database, const DatabaseInput& input,
                  const std::function<void(const std::string& source, const Mix& mix)>& each) {
-  const Mix mix = parse_mix(input.mix, database.sources());
+  const Mix mix = mix_of(database, input);
   if (!input.by_source) {
     each("", mix);
     return;
@@ -40,7 +45,8 @@ void for_sources(const LuminanceDatabase& database, const DatabaseInput& input,
   for (std::size_t s = 0; s < mix.size(); ++s) each(database.sources()[s].name, only(mix, s));
 }
 
-void write_table(const Table& table, const DatabaseInput& input) {
+void write_table(Program& program, const Table& table, const DatabaseInput& input) {
+  program.stage(kWritingStage);
   write_file(input.output, input.json ? table.json() : table.csv());
 }
 

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -49,16 +51,18 @@ TableCommands::TableCommands(Program& program) : program_(program) {
 }
 
 bool TableCommands::run() {
+  const auto chosen = program_.app().get_subcommands();
+  const std::array<CLI::App*, 4> ours = {info_, surfaces_, cells_, grid_};
+  if (std::find(ours.begin(), ours.end(), chosen.front()) == ours.end()) return false;
+  program_.check_output(input_.output, {input_.path});
   if (info_->parsed())
     info();
   else if (surfaces_->parsed())
     surfaces();
   else if (cells_->parsed())
     cells();
-  else if (grid_->parsed())
-    grid();
   else
-    return false;
+    grid();
   return true;
 }
 
@@ -90,6 +94,7 @@ void TableCommands::info() {
                                {"error_bound", source.error_bound},
                                {"iterations", source.iterations}});
   }
+  program_.stage(kWritingStage);
   write_file(input_.output, input_.json ? json.dump(1) + "\n" : text);
 }
 
@@ -108,14 +113,14 @@ void TableCommands::surfaces() {
                              chromaticity(f.xyz_mean_cd_m2, 0), chromaticity(f.xyz_mean_cd_m2, 1)}));
     }
   });
-  write_table(table, input_);
+  write_table(program_, table, input_);
 }
 
 void TableCommands::cells() {
   const LuminanceDatabase database(input_.path, program_.job());
   const Zone& zone = database.zone();
   const Cells cells(zone);
-  const auto appearance = cell_appearance(database, cells, parse_mix(input_.mix, database.sources()));
+  const auto appearance = cell_appearance(database, cells, mix_of(database, input_));
   Table table({"surface", "cell", "x_m", "y_m", "z_m", "area_m2", "illuminance_lx", "luminance_cd_m2"});
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const std::size_t s = cells.surface_of(i);
@@ -123,7 +128,7 @@ void TableCommands::cells() {
     table.add({zone.surfaces[s].name, static_cast<long>(i - cells.first(s)), p.x, p.y, p.z, cells.area_m2(i),
                appearance.illuminance_lx[i], appearance.xyz_cd_m2[i].y});
   }
-  write_table(table, input_);
+  write_table(program_, table, input_);
 }
 
 std::vector<PointSet> TableCommands::chosen_sets(const Zone& zone) const {
@@ -134,7 +139,7 @@ std::vector<PointSet> TableCommands::chosen_sets(const Zone& zone) const {
     names.push_back(set.name);
   }
   throw InputError(
-      {{}, "--plane: no measuring plane or sensors '" + plane_ + "'", did_you_mean(plane_, names)});
+      {{input_.path, 0, 0}, "no measuring plane or sensors '" + plane_ + "'", name_cure(plane_, names)});
 }
 
 void TableCommands::grid() {
@@ -155,7 +160,7 @@ void TableCommands::grid() {
       }
     }
   });
-  write_table(table, input_);
+  write_table(program_, table, input_);
 }
 
 void TableCommands::grid_stats(const LuminanceDatabase& database, const std::vector<PointSet>& sets) {
@@ -168,7 +173,7 @@ void TableCommands::grid_stats(const LuminanceDatabase& database, const std::vec
           row(source, {set.name, static_cast<long>(s.n_points), s.min_lx, s.mean_lx, s.max_lx, s.u0, s.ud}));
     }
   });
-  write_table(table, input_);
+  write_table(program_, table, input_);
 }
 
 }  // namespace dim

@@ -6,6 +6,8 @@
 
 #include "base/input_file.hpp"
 #include "common/database_option.hpp"
+#include "common/in_file.hpp"
+#include "common/option_checks.hpp"
 #include "database/surface_entry.hpp"
 #include "result/database.hpp"
 #include "scene/lights_reader.hpp"
@@ -18,8 +20,6 @@ constexpr double kGoodBalance = 2e-3;
 // NAME=ENTRY, or NAME=0.7 for a grey.
 void replace_finish(Zone& zone, const std::string& text, const DatabaseSearch& search) {
   const auto equals = text.find('=');
-  if (equals == std::string::npos || equals == 0)
-    throw UsageError("--finish '" + text + "' is not NAME=ENTRY");
   const std::string name = text.substr(0, equals), entry = text.substr(equals + 1);
   std::vector<std::string> names;
   for (auto& finish : zone.finishes) {
@@ -34,12 +34,13 @@ void replace_finish(Zone& zone, const std::string& text, const DatabaseSearch& s
       finish.diffuse = SpectralCurve(grey);
       finish.source = "command line";
     } else {
-      finish = find_surface_entry(search, entry);
+      finish = in_file("--finish " + text, [&] { return find_surface_entry(search, entry); });
     }
     finish.name = name;
     return;
   }
-  throw InputError({{}, "--finish: the zone has no finish '" + name + "'", did_you_mean(name, names)});
+  throw InputError(
+      {{"--finish " + text, 0, 0}, "the zone has no finish '" + name + "'", name_cure(name, names)});
 }
 
 }  // namespace
@@ -56,11 +57,15 @@ SolveCommand::SolveCommand(Program& program) : program_(program) {
   app.add_option("--set", overrides_, "Override a value of the lights file: KEY=VALUE, repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false)
+      ->check(pair_of("KEY=VALUE"))
+      ->default_str("")
       ->group("Input");
   app.add_option("--finish", finishes_,
                  "Use another database entry, or a grey 0..1, for a finish of the zone")
       ->type_name("NAME=ENTRY")
       ->allow_extra_args(false)
+      ->check(pair_of("NAME=ENTRY"))
+      ->default_str("")
       ->group("Input");
   add_database_option(app, database_);
   app.add_option("--combine", combine_,
@@ -68,7 +73,8 @@ SolveCommand::SolveCommand(Program& program) : program_(program) {
       ->check(CLI::IsMember({"each", "group", "all"}))
       ->group("Accuracy");
   app.add_option("--tolerance", tolerance_, "Stop when no cell changes by more than this share of the mean")
-      ->check(CLI::Range(1e-12, 0.5))
+      ->check(number_within(1e-12, 0.5))
+      ->type_name("SHARE")
       ->group("Accuracy");
   app.add_option("--bands", n_bands_, "Number of equal wavebands over 380-780 nm")
       ->check(CLI::Range(1, 400))
@@ -97,6 +103,7 @@ Lights SolveCommand::lights(const Zone& zone, const DatabaseSearch& search) {
 Exit SolveCommand::run() {
   if (rays_ == "-" && lights_ == "-") throw UsageError("only one of the two inputs can be standard input");
   refuse_terminal(output_, "a luminance database");
+  program_.check_output(output_, {rays_, lights_});
   program_.stage("read");
   RaysFile rays = load_rays(rays_, program_.job());
   const DatabaseSearch search = database_search(database_, lights_);
@@ -111,7 +118,7 @@ Exit SolveCommand::run() {
   Warnings warnings;
   const Solution solution = simulate(rays.zone, cells, rays.network, all_lights, options(), job, warnings);
   program_.warn(warnings);
-  program_.stage("write");
+  program_.stage(kWritingStage);
   const std::string hash = save_lum(output_, rays.zone, cells, all_lights, solution, rays.hash, job);
   program_.stage("");
   return report(rays, solution, hash);
@@ -128,17 +135,19 @@ Exit SolveCommand::report(const RaysFile& rays, const Solution& solution, const 
     bound = std::max(bound, source.error_bound);
     residual = std::max(residual, source.residual);
     iterations = std::max(iterations, source.iterations);
+    double source_worst = 0.0;
     for (const auto& e : source.energy) {
       sum.emitted_W += e.emitted_W;
       sum.absorbed_W += e.absorbed_W;
       sum.escaped_W += e.escaped_W;
       sum.lost_W += e.lost_W;
       sum.dropped_W += e.dropped_W;
-      worst = std::max(worst, std::abs(e.imbalance));
+      source_worst = std::max(source_worst, std::abs(e.imbalance));
     }
+    worst = std::max(worst, source_worst);
     stats["sources"].push_back({{"name", source.name},
                                 {"flux_lm", source.flux_lm},
-                                {"imbalance", source.energy.empty() ? 0.0 : source.energy[0].imbalance},
+                                {"imbalance", source_worst},
                                 {"error_bound", source.error_bound}});
   }
   const double scale = sum.emitted_W > 0.0 ? 100.0 / sum.emitted_W : 0.0;

@@ -184,7 +184,7 @@ TEST_CASE("A closed pipe is an error where SIGPIPE is ignored", "[base][unit]") 
   const auto child = start_child([&] {
     std::signal(SIGPIPE, SIG_IGN);
     const files_test::Redirected out(STDOUT_FILENO, pipe.writer());
-    if (io_error([] { write_file("-", "x"); }) != "-: cannot write: Broken pipe") ::_exit(2);
+    if (io_error([] { write_file("-", "x"); }) != "standard output: cannot write: Broken pipe") ::_exit(2);
   });
   CHECK(wait_for(child) == 0);
 }

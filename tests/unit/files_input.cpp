@@ -72,7 +72,7 @@ TEST_CASE("Standard input is read to its end under the same limit", "[base][unit
   CHECK(read_from_pipe("short", kCap) == "short");
   const std::string text(kCap, 'x');
   CHECK(read_from_pipe(text, kCap) == text);
-  CHECK(read_from_pipe(text + "x", kCap) == "-: is more than 1 MiB, the most that is accepted");
+  CHECK(read_from_pipe(text + "x", kCap) == "standard input: is more than 1 MiB, the most that is accepted");
 }
 
 TEST_CASE("A file whose size the system does not know is read whole", "[base][unit]") {
@@ -100,7 +100,7 @@ TEST_CASE("What cannot be read is refused in the system's words", "[base][unit]"
 TEST_CASE("A closed standard input is an error, not an empty file", "[base][unit]") {
   const auto child = start_child([] {
     ::close(STDIN_FILENO);
-    if (refusal("-") != "-: cannot read: Bad file descriptor") ::_exit(2);
+    if (refusal("-") != "standard input: cannot read: Bad file descriptor") ::_exit(2);
   });
   CHECK(wait_for(child) == 0);
 }

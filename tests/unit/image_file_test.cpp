@@ -106,7 +106,7 @@ TEST_CASE("A Radiance picture holds luminance / 179 within its one-byte mantissa
   const Vec3 weights = dim::luminance_weights(dim::kRadiancePrimaries);
   for (std::size_t i = 0; i < raster.n_pixels(); ++i) {
     const Vec3 rgb(back.values[3 * i], back.values[3 * i + 1], back.values[3 * i + 2]);
-    const double exact = raster.xyz[3 * i + 1];
+    const double exact = static_cast<double>(raster.xyz[3 * i + 1]);
     const double luminance = 179 * glm::dot(rgb, weights);
     // Mantissas are cut to 8 bits: up to 1/128 of the greatest component too low, never too high.
     REQUIRE(luminance <= exact * (1 + 1e-5));
@@ -148,7 +148,9 @@ TEST_CASE("An OpenEXR file gives XYZ in cd/m2 back from its own attributes", "[i
   CHECK(header.typedAttribute<Imf::StringAttribute>("unit").value() == "cd/m2");
   CHECK(Imf::whiteLuminance(header) == 1.0f);
   const Imf::Chromaticities c = Imf::chromaticities(header);
-  const auto point = [](const Imath::V2f& v) { return dim::Chromaticity{v.x, v.y}; };
+  const auto point = [](const Imath::V2f& v) {
+    return dim::Chromaticity{static_cast<double>(v.x), static_cast<double>(v.y)};
+  };
   const glm::dmat3 to_xyz = dim::rgb_to_xyz({point(c.red), point(c.green), point(c.blue), point(c.white)}) *
                             static_cast<double>(Imf::whiteLuminance(header));
   CHECK(header.channels().findChannel("R")->type == Imf::FLOAT);
@@ -203,6 +205,34 @@ TEST_CASE("Words on pictures are drawn, anti-aliased, clipped at the edge", "[im
   CHECK(black > 100);
   CHECK(between > 100);
   CHECK_NOTHROW(module.draw(picture, 50, 22, "a long text", 20, {0, 0, 0}));
+}
+
+TEST_CASE("A superscript two is drawn small and high, an unknown character as a question mark",
+          "[image][unit]") {
+  const dim::PictureModule module(kModuleDir);
+  if (!module.available()) {
+    WARN("skipped: " << module.no_font_reason());
+    return;
+  }
+  const auto drawn = [&](const std::string& text) {
+    dim::Picture8 picture{200, 60, std::vector<std::uint8_t>(200 * 60 * 3, 255)};
+    module.draw(picture, 5, 45, text, 40, {0, 0, 0});
+    return picture;
+  };
+  const dim::Picture8 two = drawn("²");
+  std::size_t above = 0;
+  std::size_t below = 0;
+  for (std::size_t i = 0; i < two.n_pixels(); ++i) {
+    // The upper and lower half of a capital: the baseline is row 45, the letter height about 29.
+    if (two.rgb[3 * i] < 128) ++(i / 200 < 34 ? above : below);
+  }
+  CHECK(above > 20);
+  CHECK(below == 0);
+  CHECK(module.measure("cd/m²", 40).width < module.measure("cd/m2", 40).width);
+  CHECK(drawn("≥").rgb == drawn("?").rgb);
+  CHECK(drawn("ä").rgb == drawn("?").rgb);
+  CHECK_NOTHROW(drawn("\xe2\x89"));
+  CHECK_NOTHROW(drawn(""));
 }
 
 TEST_CASE("The same raster gives the same bytes", "[image][unit]") {

@@ -169,7 +169,7 @@ void AtomicFile::abandon() noexcept {
 
 void AtomicFile::fail(int error) {
   abandon();
-  throw IoError(path_, "cannot write: " + words(error));
+  throw IoError(path_ == "-" ? "standard output" : path_, "cannot write: " + words(error));
 }
 
 void write_file(const std::string& path, std::span<const std::span<const std::byte>> parts, const Job& job) {

@@ -1,6 +1,8 @@
 #include "base/error.hpp"
 
 #include <algorithm>
+#include <map>
+#include <tuple>
 #include <utility>
 
 namespace dim {
@@ -15,16 +17,18 @@ std::string join(const std::vector<Problem>& problems) {
   return text;
 }
 
+// Letters added, left out, replaced, or swapped with their neighbour (optimal string alignment).
 std::size_t edit_distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
+  std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
+    before.swap(last);
+    last.swap(row);
     row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t substitute = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({substitute, row[j] + 1, row[j - 1] + 1});
+      row[j] = std::min({last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1), last[j] + 1, row[j - 1] + 1});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        row[j] = std::min(row[j], before[j - 2] + 1);
     }
   }
   return row[b.size()];
@@ -56,7 +60,16 @@ void Problems::add(Place place, std::string what, std::string cure) {
 }
 
 void Problems::throw_if_any() const {
-  if (!empty()) throw InputError(shown_, n_found_);
+  if (empty()) return;
+  // As they stand in each file, the files as they came.
+  std::map<std::string, std::size_t> files;
+  for (const auto& problem : shown_) files.emplace(problem.place.file, files.size());
+  auto sorted = shown_;
+  std::stable_sort(sorted.begin(), sorted.end(), [&](const Problem& a, const Problem& b) {
+    return std::tuple(files[a.place.file], a.place.line, a.place.column) <
+           std::tuple(files[b.place.file], b.place.line, b.place.column);
+  });
+  throw InputError(std::move(sorted), n_found_);
 }
 
 std::string nearest_name(const std::string& word, const std::vector<std::string>& candidates) {
@@ -76,6 +89,20 @@ std::string nearest_name(const std::string& word, const std::vector<std::string>
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
   const std::string nearest = nearest_name(word, candidates);
   return nearest.empty() ? "" : "did you mean '" + nearest + "'?";
+}
+
+std::string name_cure(const std::string& word, const std::vector<std::string>& candidates) {
+  constexpr std::size_t kMaxNames = 8;
+  if (candidates.empty()) return "there is none";
+  std::string cure = did_you_mean(word, candidates);
+  if (!cure.empty()) return cure;
+  std::vector<std::string> names;
+  for (const auto& name : candidates)
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  for (std::size_t i = 0; i < std::min(names.size(), kMaxNames); ++i)
+    cure += (i == 0 ? "there is '" : ", '") + names[i] + "'";
+  if (names.size() > kMaxNames) cure += " and " + std::to_string(names.size() - kMaxNames) + " more";
+  return cure;
 }
 
 }  // namespace dim

@@ -80,7 +80,7 @@ class Problems {
 
   void add(Place place, std::string what, std::string cure = "");
   bool empty() const { return n_found_ == 0; }
-  /// @throws InputError when anything was added
+  /// @throws InputError when anything was added, ordered by line within each file
   void throw_if_any() const;
 
  private:
@@ -95,5 +95,8 @@ std::string nearest_name(const std::string& word, const std::vector<std::string>
 
 /// " did you mean 'x'?" helper: the cure sentence for an unknown name, empty when nothing is near.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates);
+
+/// The cure for a name that is not there: the nearest one, else the names there are, the first 8 in full.
+std::string name_cure(const std::string& word, const std::vector<std::string>& candidates);
 
 }  // namespace dim

@@ -17,12 +17,14 @@
 namespace dim {
 namespace {
 
+std::string name_for_messages(const std::string& path) { return path == "-" ? "standard input" : path; }
+
 constexpr std::size_t kFirstRead_bytes = std::size_t{64} << 10;
 constexpr std::size_t kLargestCall_bytes = std::size_t{32} << 20;  // the stop flag is looked at between calls
 constexpr int kPipe_bytes = 1 << 20;
 
 [[noreturn]] void throw_unreadable(const std::string& path, int error) {
-  throw IoError(path, "cannot read: " + std::generic_category().message(error));
+  throw IoError(name_for_messages(path), "cannot read: " + std::generic_category().message(error));
 }
 
 std::string too_large(std::uint64_t n_bytes, bool is_all, std::size_t max_bytes) {
@@ -38,15 +40,19 @@ std::string too_large(std::uint64_t n_bytes, bool is_all, std::size_t max_bytes)
 InputFile::InputFile(std::string path, const Job& job) : path_(std::move(path)), stop_(job.stop) {
   const bool is_stdin = path_ == "-";
   // A copy of descriptor 0, so that every descriptor held here is closed alike.
-  descriptor_ =
-      is_stdin ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0) : ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
+  do {
+    // A fifo waits here for its writer.
+    if (stop_ && stop_->load(std::memory_order_relaxed)) throw Interrupted();
+    descriptor_ =
+        is_stdin ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0) : ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
+  } while (descriptor_ < 0 && errno == EINTR);
   if (descriptor_ < 0) throw_unreadable(path_, errno);
   struct stat status = {};
   const int error = ::fstat(descriptor_, &status) == 0 ? 0 : errno;
   if (error != 0 || S_ISDIR(status.st_mode)) {
     ::close(descriptor_);
     if (error != 0) throw_unreadable(path_, error);
-    throw IoError(path_, "is a directory");
+    throw IoError(name_for_messages(path_), "is a directory");
   }
   if (S_ISREG(status.st_mode) && !is_stdin) size_bytes_ = static_cast<std::uint64_t>(status.st_size);
   // A wider pipe saves most of the switching between two programs; a refusal does no harm.
@@ -77,7 +83,8 @@ std::size_t InputFile::read(std::span<std::byte> out) {
 std::string read_text_file(const std::string& path, std::size_t max_bytes, const Job& job) {
   InputFile file(path, job);
   const std::uint64_t expected_bytes = file.size_bytes().value_or(0);
-  if (expected_bytes > max_bytes) throw IoError(path, too_large(expected_bytes, true, max_bytes));
+  if (expected_bytes > max_bytes)
+    throw IoError(name_for_messages(path), too_large(expected_bytes, true, max_bytes));
 
   // One byte more than expected, so that the end is seen without another allocation. The size is only a first
   // guess: files of /proc say 0, and a file may grow meanwhile.
@@ -89,7 +96,8 @@ std::string read_text_file(const std::string& path, std::size_t max_bytes, const
     text.resize(n_before + room_bytes);
     const std::size_t n = file.read(std::as_writable_bytes(std::span(text).subspan(n_before)));
     text.resize(n_before + n);
-    if (text.size() > max_bytes) throw IoError(path, too_large(text.size(), false, max_bytes));
+    if (text.size() > max_bytes)
+      throw IoError(name_for_messages(path), too_large(text.size(), false, max_bytes));
     if (n < room_bytes) break;
     room_bytes = std::min(text.size(), max_bytes - text.size() + 1);
   }

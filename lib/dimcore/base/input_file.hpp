@@ -15,7 +15,8 @@ class InputFile {
  public:
   /// @param path      a file, a fifo or device by its name, or `-` for standard input
   /// @param job       its stop flag ends a wait for a pipe when a signal arrives (handler without SA_RESTART)
-  /// @throws IoError  missing, not readable, a directory
+  /// @throws IoError      missing, not readable, a directory
+  /// @throws Interrupted  as the job asks
   explicit InputFile(std::string path, const Job& job = {});
   ~InputFile();
   InputFile(const InputFile&) = delete;

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "database/toml_reader.hpp"
+#include "spectrum/bands.hpp"
 
 namespace dim {
 
@@ -16,10 +17,10 @@ void read_spectrum_key(const TomlTable& table, std::optional<SpectralCurve>& spe
   }
   auto curve = table.curve("spectrum", kNotNegative);
   if (!curve) return;
-  if (curve->max() > 0.0)
+  if (curve->integral(kVisibleLow_nm, kVisibleHigh_nm) > 0.0)
     spectrum = std::move(curve);
   else
-    table.problem("spectrum", "spectrum is zero at every wavelength");
+    table.problem("spectrum", "spectrum is zero at every visible wavelength (380..780 nm)");
 }
 
 FittingEntry read_fitting_entry(std::string_view text, const std::string& file, const std::string& name) {

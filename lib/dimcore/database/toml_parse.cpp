@@ -236,7 +236,11 @@ toml::table parse_toml(std::string_view text, const std::string& file, const Tom
   try {
     root = toml::parse(text, std::string_view(file));
   } catch (const toml::parse_error& error) {
-    throw InputError(Problem{place_of(error.source(), file), std::string(error.description()), ""});
+    const std::string words(error.description());
+    const bool encoding = words.find("utf-8") != std::string::npos;
+    throw InputError(Problem{place_of(error.source(), file),
+                             encoding ? "a byte that is not UTF-8 text (" + words + ")" : words,
+                             encoding ? "save the file as UTF-8 text" : ""});
   }
   check_header(root, file, kind);
   for (const auto& one : overrides) apply(root, parse_override(one), kind);

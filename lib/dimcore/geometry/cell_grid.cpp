@@ -20,13 +20,24 @@ std::vector<Ring2> clip_strip(const std::vector<Ring2>& rings, int axis, double 
   return result;
 }
 
-}  // namespace
-
-int n_steps(double length_m, double step_m) {
+double unlimited_steps(double length_m, double step_m) {
   constexpr double kRounding = 1e-9;
   const double steps = std::ceil(length_m / step_m - kRounding);
+  return steps < 1.0 ? 1.0 : steps;
+}
+
+}  // namespace
+
+double n_squares(const Polygon& polygon, double cell_m, std::optional<std::pair<int, int>> grid) {
+  if (grid) return static_cast<double>(grid->first) * grid->second;
+  const Vec2 size = polygon.size_m();
+  return unlimited_steps(size.x, cell_m) * unlimited_steps(size.y, cell_m);
+}
+
+int n_steps(double length_m, double step_m) {
+  const double steps = unlimited_steps(length_m, step_m);
   if (!(steps < 1e8)) throw LimitError("a grid of more than 1e8 squares along one edge; use a larger --cell");
-  return std::max(1, static_cast<int>(steps));
+  return static_cast<int>(steps);
 }
 
 // Sutherland & Hodgman 1974, one plane.
@@ -49,7 +60,7 @@ CellGrid::CellGrid(const Polygon& polygon, double cell_m, std::optional<std::pai
   const Vec2 size = polygon.size_m();
   nu_ = grid ? grid->first : n_steps(size.x, cell_m);
   nv_ = grid ? grid->second : n_steps(size.y, cell_m);
-  if (nu_ < 1 || nv_ < 1 || static_cast<double>(nu_) * nv_ > 2e9)
+  if (nu_ < 1 || nv_ < 1 || static_cast<double>(nu_) * nv_ > kMaxSquares)
     throw LimitError("a grid of " + std::to_string(nu_) + " x " + std::to_string(nv_) +
                      " squares on one surface; use a larger --cell");
   step_m_ = {size.x / nu_, size.y / nv_};

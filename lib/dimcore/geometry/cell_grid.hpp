@@ -58,6 +58,12 @@ class CellGrid {
   std::vector<bool> empty_;
 };
 
+/// Most squares of one grid.
+inline constexpr double kMaxSquares = 2e9;
+
+/// Number of squares that a CellGrid of these arguments has, without making it; not limited.
+double n_squares(const Polygon& polygon, double cell_m, std::optional<std::pair<int, int>> grid = {});
+
 /// Number of grid steps of at most `step_m` that cover `length_m`, at least 1. Lengths that exceed a whole
 /// number of steps only by rounding do not get one more.
 int n_steps(double length_m, double step_m);

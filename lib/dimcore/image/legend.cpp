@@ -46,10 +46,10 @@ std::vector<Label> labels_of(const std::vector<Tick>& marks, const FalseColourRe
   }
   const auto at_end = [](double position, double end) { return std::abs(position - end) < 1e-6; };
   if (!labels.empty() && painted.n_below > 0 && at_end(labels.front().position, 0)) {
-    labels.front().text = "≤ " + labels.front().text;
+    labels.front().text = "< " + labels.front().text;
   }
   if (!labels.empty() && painted.n_above > 0 && at_end(labels.back().position, 1)) {
-    labels.back().text = "≥ " + labels.back().text;
+    labels.back().text = "> " + labels.back().text;
   }
   return labels;
 }

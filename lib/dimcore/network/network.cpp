@@ -190,7 +190,8 @@ std::size_t network_bytes(std::size_t n_cells, std::size_t n_points, const Netwo
   const std::size_t rays =
       n_cells * options.patches.n_patches() + n_points * options.point_patches.n_patches();
   constexpr std::size_t kPerCell = 200;  // geometry, scales and the sums of balancing
-  return rays * (SinkTable::is_wide(n_cells) ? 4 : 2) + n_cells * kPerCell;
+  constexpr std::size_t kCopies = 2;     // the network and the image of its file
+  return kCopies * rays * (SinkTable::is_wide(n_cells) ? 4 : 2) + n_cells * kPerCell;
 }
 
 Network build_network(const Zone& zone, const Cells& cells, const NetworkOptions& options, const Job& job) {

@@ -62,7 +62,7 @@ struct Network {
 /// than some 500, so that points cost about as much as a small room's cells.
 PatchGrid automatic_point_patches(std::size_t n_points);
 
-/// Memory the network takes, bytes.
+/// Memory that making and writing the network takes, bytes.
 std::size_t network_bytes(std::size_t n_cells, std::size_t n_points, const NetworkOptions& options);
 
 /// Traces the ray network of a zone. The result depends on zone and options only, not on the number of

@@ -10,24 +10,6 @@
 namespace dim {
 namespace {
 
-void store_cells(Hdf5Writer& file, const Zone& zone, const Cells& cells) {
-  const std::size_t n = cells.size();
-  std::vector<std::uint32_t> surface(n);
-  std::vector<double> area(n), centroid;
-  centroid.reserve(3 * n);
-  for (std::size_t i = 0; i < n; ++i) {
-    surface[i] = static_cast<std::uint32_t>(cells.surface_of(i));
-    area[i] = cells.area_m2(i);
-    const Vec3 c =
-        zone.surfaces[cells.surface_of(i)].polygon.frame().to_world(cells[i].centroid) + zone.origin_m;
-    centroid.insert(centroid.end(), {c.x, c.y, c.z});
-  }
-  file.dataset("/cells/surface", std::span<const std::uint32_t>(surface), {n}, "1",
-               "index into /zone/surfaces");
-  file.dataset("/cells/area", std::span<const double>(area), {n}, "m2");
-  file.dataset("/cells/centroid", std::span<const double>(centroid), {n, 3}, "m", "in the zone file's axes");
-}
-
 void store_sinks(Hdf5Writer& file, const std::string& path, const SinkTable& sinks, const std::string& what) {
   const Shape shape{sinks.n_rows(), sinks.n_patches()};
   if (sinks.wide())
@@ -84,6 +66,24 @@ PatchGrid load_patches(const Hdf5Reader& file, const std::string& prefix, const 
 }
 
 }  // namespace
+
+void store_cells(Hdf5Writer& file, const Zone& zone, const Cells& cells) {
+  const std::size_t n = cells.size();
+  std::vector<std::uint32_t> surface(n);
+  std::vector<double> area(n), centroid;
+  centroid.reserve(3 * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    surface[i] = static_cast<std::uint32_t>(cells.surface_of(i));
+    area[i] = cells.area_m2(i);
+    const Vec3 c =
+        zone.surfaces[cells.surface_of(i)].polygon.frame().to_world(cells[i].centroid) + zone.origin_m;
+    centroid.insert(centroid.end(), {c.x, c.y, c.z});
+  }
+  file.dataset("/cells/surface", std::span<const std::uint32_t>(surface), {n}, "1",
+               "index into /zone/surfaces");
+  file.dataset("/cells/area", std::span<const double>(area), {n}, "m2");
+  file.dataset("/cells/centroid", std::span<const double>(centroid), {n, 3}, "m", "in the zone file's axes");
+}
 
 std::string save_rays(const std::string& path, const Zone& zone, const Cells& cells, const Network& network,
                       const Job& job) {

@@ -14,6 +14,9 @@ struct RaysFile {
   std::string hash;  ///< of the file's content
 };
 
+/// Puts the cells' surfaces, areas and centroids into a file under `/cells`.
+void store_cells(Hdf5Writer& file, const Zone& zone, const Cells& cells);
+
 /// Writes whole or not at all; `-` is standard output. @returns the content's hash
 /// @throws IoError, Interrupted
 std::string save_rays(const std::string& path, const Zone& zone, const Cells& cells, const Network& network,

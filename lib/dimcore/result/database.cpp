@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "network/network_storage.hpp"
 #include "scene/zone_storage.hpp"
 
 namespace dim {
@@ -128,9 +129,7 @@ std::string save_lum(const std::string& path, const Zone& zone, const Cells& cel
   file.attribute("/", "rays_hash", rays_hash);
   file.dataset<double>("/bands", solution.bands.edges_nm, {solution.bands.edges_nm.size()}, "nm",
                        "band edges");
-  std::vector<double> area(cells.size());
-  for (std::size_t i = 0; i < cells.size(); ++i) area[i] = cells.area_m2(i);
-  file.dataset<double>("/cells/area", area, {area.size()}, "m2");
+  store_cells(file, zone, cells);
   const auto store = [&](const std::string& name, const std::vector<float>& values, std::size_t n) {
     file.dataset<float>(name, values, {solution.sources.size(), solution.bands.size(), n}, "W/m2",
                         "irradiance by source, band and cell or point");

@@ -44,9 +44,7 @@ Mix parse_mix(const std::vector<std::string>& texts, const std::vector<Source>& 
       mix[s] = factor;
       found = true;
     }
-    if (!found)
-      throw InputError(
-          {{}, "--mix: no source or group '" + name + "' in this database", did_you_mean(name, names)});
+    if (!found) throw InputError({{}, "no source or group '" + name + "' for --mix", name_cure(name, names)});
   }
   return mix;
 }

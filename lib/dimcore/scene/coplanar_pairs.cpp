@@ -1,5 +1,7 @@
 #include "scene/coplanar_pairs.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -73,6 +75,7 @@ Region2 region_in_frame(const Polygon& other, const Polygon& base, double touch_
 
 std::vector<CoplanarPair> coplanar_pairs(const std::vector<Surface>& surfaces, double touch_m) {
   constexpr double kParallel = 0.999;  // cheap first test; the plane test decides
+  constexpr std::size_t kMaxPairs = 10'000, kMaxPairsPerSurface = 50;  // far beyond any real room
   std::vector<Box> boxes;
   for (const auto& surface : surfaces) boxes.push_back(box_of(surface.polygon));
   std::vector<std::size_t> order;
@@ -98,6 +101,12 @@ std::vector<CoplanarPair> coplanar_pairs(const std::vector<Surface>& surfaces, d
       if (lies_in_plane(surfaces[small].polygon, base.frame(), touch_m) &&
           rectangles_overlap(base, surfaces[small].polygon, touch_m))
         pairs.push_back({large, small, facing > 0.0});
+      if (pairs.size() > kMaxPairs + kMaxPairsPerSurface * surfaces.size())
+        throw InputError(
+            {surfaces[small].place,
+             fmt::format("surface '{}' is one of very many that lie on top of each other in one plane",
+                         surfaces[small].name),
+             "give each copy a displacement of its own"});
     }
   }
   std::sort(pairs.begin(), pairs.end(), [](const CoplanarPair& a, const CoplanarPair& b) {

@@ -18,6 +18,7 @@ struct CoplanarPair {
 
 /// All such pairs, in order of index; external obstructions, surfaces without area and twins are left out. A
 /// sweep along the longest axis of the zone: near-linear where surfaces are spread out.
+/// @throws InputError  when there are more than 10,000 + 50 a surface: things piled up at one place
 std::vector<CoplanarPair> coplanar_pairs(const std::vector<Surface>& surfaces, double touch_m);
 
 /// The region of `other` in the frame of `base`, brought to `base` where they nearly touch.

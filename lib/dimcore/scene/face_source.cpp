@@ -128,6 +128,12 @@ class FaceReader {
  private:
   void add(std::optional<Shape> shape) {
     if (!shape) return;
+    n_faces_ += shape->faces.size();
+    if (n_faces_ > kMaxSurfaces)
+      throw InputError({shape->faces[0].place,
+                        fmt::format("'{}' is one too many: a zone has at most {} surfaces, six to a box",
+                                    shape->name, kMaxSurfaces),
+                        "leave out what is too small to matter for the light"});
     names_.add(shape->name, shape->faces[0].place);
     for (const auto& face : shape->faces) {
       if (face.name != shape->name) names_.add(face.name, face.place);
@@ -135,6 +141,14 @@ class FaceReader {
     }
     index_.emplace(shape->name, shapes_.size());
     shapes_.push_back(std::move(*shape));
+  }
+
+  bool is_written(const std::string& name) const {
+    for (const char* key : {"surface", "box"}) {
+      for (const auto& table : root_.tables(key))
+        if (table.raw()["name"].value<std::string>() == name) return true;
+    }
+    return false;
   }
 
   void read_copy(const TomlTable& given) {
@@ -148,6 +162,7 @@ class FaceReader {
     if (!complete || !of) return;
     const auto original = index_.find(*of);
     if (original == index_.end()) {
+      if (is_written(*of)) return;  // what is wrong with it is reported there
       std::vector<std::string> known;
       for (const auto& [name, i] : index_) known.push_back(name);
       table.problem("of", "no surface or box of that name above", did_you_mean(*of, known));
@@ -176,6 +191,7 @@ class FaceReader {
   Names names_;
   std::vector<Shape> shapes_;
   std::map<std::string, std::size_t> index_;
+  std::size_t n_faces_ = 0;
 };
 
 }  // namespace

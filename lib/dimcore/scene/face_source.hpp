@@ -33,9 +33,13 @@ struct FaceSource {
 /// Largest number of cells along one side of a surface or plane that a file may ask for.
 inline constexpr int kMaxGrid = 10000;
 
+/// Most surfaces of a zone.
+inline constexpr std::size_t kMaxSurfaces = 100'000;
+
 /// Reads [[surface]], [[box]] and [[copy]]: all surfaces in order, then boxes, then copies. A copy displaces
 /// a surface or all six faces of a box; a copied feature stays `on` the same parent. Duplicate names, boxes
 /// of no size and copies of unknown things are reported.
+/// @throws InputError  more than kMaxSurfaces
 std::vector<FaceSource> read_faces(const TomlTable& root);
 
 /// The six faces of a box, outward: top bottom south north west east in the box's own axes (south = -y),

@@ -195,7 +195,11 @@ class LightsReader {
                    const std::vector<double>& pitch) {
     const auto n = static_cast<std::size_t>(count.first) * static_cast<std::size_t>(count.second);
     if (lights_.luminaires.size() + n > kMaxLuminaires)
-      return table.problem("count", fmt::format("more than {} luminaires", kMaxLuminaires));
+      return table.problem(
+          "count",
+          fmt::format("count = [{}, {}] makes {} luminaires; a file has at most {}", count.first,
+                      count.second, lights_.luminaires.size() + n, kMaxLuminaires),
+          "use fewer, or one luminaire of the same total flux for several");
     for (int j = 0; j < count.second; ++j) {
       for (int i = 0; i < count.first; ++i) {
         Luminaire luminaire = first;

@@ -101,4 +101,8 @@ struct Zone {
 /// @throws InputError  no such view, or a zone without views
 const View& find_view(const Zone& zone, const std::string& name);
 
+/// Refuses a zone whose cells alone would not fit, before they are made.
+/// @throws LimitError  with the number of cells and the memory they need
+void check_cells_fit(const Zone& zone, std::size_t memory_limit_bytes);
+
 }  // namespace dim

@@ -83,6 +83,7 @@ Json finish_to_json(const Finish& finish) {
                {"ior", to_json(finish.ior)},
                {"distribution", finish.distribution},
                {"transmittance", to_json(finish.transmittance)},
+               {"angular_law", finish.angular_law},
                {"source", finish.source}};
   if (finish.extinction) json["extinction"] = to_json(*finish.extinction);
   if (finish.specular_reflectance) json["specular_reflectance"] = to_json(*finish.specular_reflectance);
@@ -99,6 +100,7 @@ Finish finish_from_json(const Json& json) {
   finish.ior = curve(json.at("ior"));
   finish.distribution = json.at("distribution");
   finish.transmittance = curve(json.at("transmittance"));
+  finish.angular_law = json.at("angular_law");
   finish.source = json.at("source");
   if (json.contains("extinction")) finish.extinction = curve(json["extinction"]);
   if (json.contains("specular_reflectance"))
@@ -236,7 +238,7 @@ void store_zone(Hdf5Writer& file, const Zone& zone) {
   for (const auto& point : zone.points)
     points.insert(points.end(), {point.position.x, point.position.y, point.position.z, point.normal.x,
                                  point.normal.y, point.normal.z});
-  file.dataset("/zone/points", std::span<const double>(points), {zone.points.size(), 6}, "m",
+  file.dataset("/zone/points", std::span<const double>(points), {zone.points.size(), 6}, "m, 1",
                "zone-centred position and normal of the measuring points");
 }
 

@@ -20,10 +20,13 @@ constexpr int kMaxNearHalvings = 48;
 constexpr int kMaxHorizonHalvings = 4;
 // Rays that probe the visibility of a pair, and how many more where they disagree. Parts of a halved pair
 // share them. They are spread over cell and opening by chance, the same chance in every run: a fixed pattern
-// would miss the same strip of every cell along the foot of a cabinet.
-constexpr int kProbeRays = 16;
+// would miss the same strip of every cell along the foot of a cabinet. The fewer luminaires, the more each
+// gets: of many, the errors average out.
+constexpr int kProbeRaysPerReceiver = 384;
+constexpr int kMostProbeRays = 64;
+constexpr int kLeastProbeRays = 16;
+constexpr int kShadowRaysPerProbeRay = 4;
 constexpr int kMinProbeRays = 4;
-constexpr int kShadowRays = 64;
 // Pairs that bring less than this share of the mean direct illuminance get a few rays only. Their mean is as
 // unbiased as the rest's, only coarser, and there are many of them.
 constexpr double kFaint = 1e-2;
@@ -65,8 +68,12 @@ struct Chance {
 class Integrator {
  public:
   Integrator(const RayCaster& caster, const Luminaire& luminaire, const Fitting& fitting, double faint_lx,
-             std::uint64_t stream)
-      : caster_(caster), luminaire_(luminaire), fitting_(fitting), stream_(mix(stream)) {
+             int n_probe_rays, std::uint64_t stream)
+      : caster_(caster),
+        luminaire_(luminaire),
+        fitting_(fitting),
+        n_probe_rays_(n_probe_rays),
+        stream_(mix(stream)) {
     faint_ = luminaire.factor > 0.0 ? faint_lx / luminaire.factor : 0.0;
     if (largest_dimension_m(luminaire.opening) > 0.0)
       opening_m_ = {luminaire.opening.length_m, luminaire.opening.width_m};
@@ -125,7 +132,7 @@ class Integrator {
 
   Sum faint(const Receiver& receiver, const Part& pair, Chance& chance) const {
     Probe sum;
-    probe(sum, receiver.whole ? kFaintRays : kProbeRays, receiver, pair, chance);
+    probe(sum, receiver.whole ? kFaintRays : n_probe_rays_, receiver, pair, chance);
     return {static_cast<double>(sum.n_inside) / sum.n, sum.visible / sum.n};
   }
 
@@ -210,11 +217,13 @@ class Integrator {
            Chance& chance) const {
     if (receiver.whole && !(expected.mean > 0.0)) return {1.0, 0.0};
     const bool points = receiver.polygon == nullptr && opening_m_ == Vec2(0.0);
-    int n = std::max(kMinProbeRays, kProbeRays >> std::min(halvings, 4));
-    if (!receiver.whole) n = std::max(n, kProbeRays);
+    int n = std::max(kMinProbeRays, n_probe_rays_ >> std::min(halvings, 4));
+    if (!receiver.whole) n = std::max(n, n_probe_rays_);
     Probe sum;
     probe(sum, points ? 1 : n, receiver, part, chance);
-    if (sum.mixed()) probe(sum, std::max(n, kShadowRays >> std::min(halvings, 4)), receiver, part, chance);
+    if (sum.mixed())
+      probe(sum, std::max(n, kShadowRaysPerProbeRay * n_probe_rays_ >> std::min(halvings, 4)), receiver, part,
+            chance);
     const double weight = static_cast<double>(sum.n_inside) / sum.n;
     if (!receiver.whole) return {weight, sum.visible / sum.n};
     return {1.0, sum.lit > 0.0 ? expected.mean * sum.visible / sum.lit : 0.0};
@@ -223,6 +232,7 @@ class Integrator {
   const RayCaster& caster_;
   const Luminaire& luminaire_;
   const Fitting& fitting_;
+  int n_probe_rays_;
   std::uint64_t stream_;
   Vec2 opening_m_{0.0};
   double faint_ = 0.0;
@@ -250,11 +260,14 @@ DirectLight direct_light(const Zone& zone, const Cells& cells, const Lights& lig
                          const std::vector<std::size_t>& source_of, std::size_t n_sources, const Job& job) {
   const Obstructions obstructions(zone, lights);
   const double faint_lx = kFaint * total_flux_lm(lights) / total_area_m2(zone);
+  const int n_probe_rays =
+      std::clamp(kProbeRaysPerReceiver / std::max(1, static_cast<int>(lights.luminaires.size())),
+                 kLeastProbeRays, kMostProbeRays);
   std::vector<Integrator> integrators;
   for (const auto& luminaire : lights.luminaires)
     integrators.emplace_back(obstructions.caster(), luminaire,
                              lights.fittings[static_cast<std::size_t>(luminaire.fitting)], faint_lx,
-                             integrators.size());
+                             n_probe_rays, integrators.size());
   const auto add_all = [&](const Receiver& receiver, const Part& pair, double* out_lx) {
     for (std::size_t l = 0; l < integrators.size(); ++l)
       out_lx[source_of[l]] += lights.luminaires[l].factor * integrators[l].mean(receiver, pair);

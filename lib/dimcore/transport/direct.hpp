@@ -30,8 +30,8 @@ DirectLight direct_light(const Zone& zone, const Cells& cells, const Lights& lig
 /// What becomes of a luminaire's light on its first flight, as shares of its flux.
 struct FirstFlight {
   double received = 0.0;  ///< on the lit sides of the zone's surfaces
-  double escaped = 0.0;   ///< out of the zone
-  double lost = 0.0;      ///< on backs of surfaces, on luminaire bodies and on external obstructions
+  double escaped = 0.0;   ///< out of the zone, external obstructions included
+  double lost = 0.0;      ///< on backs of surfaces and on luminaire bodies
   double flux_lm = 0.0;   ///< of the sampled distribution, times the luminaire's factor
 };
 

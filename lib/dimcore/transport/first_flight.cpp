@@ -28,9 +28,9 @@ FirstFlight fly(const Zone& zone, const RayCaster& caster, const Luminaire& lumi
     const Hit hit = caster.nearest(from, luminaire.to_world(local));
     total_cd += cd;
     const auto plate = static_cast<std::size_t>(hit.plate);
-    if (hit.plate < 0)
+    if (hit.plate < 0 || (plate < zone.surfaces.size() && zone.surfaces[plate].outside))
       fate.escaped += cd;
-    else if (hit.back || plate >= zone.surfaces.size() || zone.surfaces[plate].outside)
+    else if (hit.back || plate >= zone.surfaces.size())
       fate.lost += cd;
     else
       fate.received += cd;

@@ -62,6 +62,7 @@ class Block {
       report.iterations = iterations_;
       report.residual = mean_[c] > 0.0 ? residual_[c] / mean_[c] : 0.0;
       report.error_bound = report.residual * rho_max / (1.0 - rho_max);
+      report.dropped = in_flight_[c];
     }
     add_power(reports, first);
   }
@@ -127,24 +128,32 @@ class Block {
     });
   }
 
-  // Sets the new irradiances; returns the largest change of each column.
+  // Sets the new irradiances and what their change would reflect on; returns the largest change of each
+  // column.
   std::vector<double> update() {
     const std::size_t n_runs = (cells_.size() + kRun - 1) / kRun;
-    std::vector<double> change(n_runs * width_, 0.0);
+    std::vector<double> change(n_runs * width_, 0.0), reflected(n_runs * width_, 0.0);
     tbb::parallel_for(std::size_t{0}, n_runs, [&](std::size_t run) {
       const std::size_t last = std::min(cells_.size(), (run + 1) * kRun);
       for (std::size_t i = run * kRun; i < last; ++i) {
+        const double* rho = &rho_[cells_.surface_of(i) * width_];
+        const double seen_m2 = cells_.area_m2(i) * network_.visible[i];
         for (std::size_t c = 0; c < width_; ++c) {
           const std::size_t at = i * width_ + c;
           const double next = direct_[at] + network_.row_scale[i] * gathered_[at];
           change[run * width_ + c] = std::max(change[run * width_ + c], std::abs(next - total_[at]));
+          reflected[run * width_ + c] += seen_m2 * rho[c] * (next - total_[at]);
           total_[at] = next;
         }
       }
     });
     std::vector<double> largest(width_, 0.0);
+    in_flight_.assign(width_, 0.0);
     for (std::size_t run = 0; run < n_runs; ++run) {
-      for (std::size_t c = 0; c < width_; ++c) largest[c] = std::max(largest[c], change[run * width_ + c]);
+      for (std::size_t c = 0; c < width_; ++c) {
+        largest[c] = std::max(largest[c], change[run * width_ + c]);
+        in_flight_[c] += reflected[run * width_ + c];
+      }
     }
     return largest;
   }
@@ -176,14 +185,10 @@ class Block {
       const double* rho = &rho_[cells_.surface_of(i) * width_];
       for (std::size_t c = 0; c < n_; ++c) {
         const double e = total_[i * width_ + c];
-        // What is reflected now has not been gathered by anyone: the indirect part of e came from the
-        // exitances before the last update.
-        const double arrived = e - direct_[i * width_ + c];
         auto& report = reports[first + c];
         report.received += a * direct_[i * width_ + c];
         report.absorbed += a * (1.0 - rho[c]) * e;
         report.escaped += a * rho[c] * e * (1.0 - visible[i]);
-        report.dropped += a * (rho[c] * e * visible[i] - arrived);
       }
     }
   }
@@ -200,7 +205,7 @@ class Block {
   std::size_t n_;
   std::size_t width_;
   std::vector<double> direct_, rho_, total_, exitance_, gathered_;
-  std::vector<double> mean_, residual_;
+  std::vector<double> mean_, residual_, in_flight_;
   int iterations_ = 0;
 };
 

@@ -22,7 +22,7 @@ struct ColumnReport {
   double received = 0.0;     ///< direct, on cells
   double absorbed = 0.0;     ///< by cells
   double escaped = 0.0;      ///< reflected out of the zone or onto backs
-  double dropped = 0.0;      ///< reflected and not followed (negative: more followed than reflected)
+  double dropped = 0.0;      ///< the last change's reflections, not followed; either sign
 };
 
 struct Gathered {

@@ -19,14 +19,15 @@ struct SimulationOptions {
   GatherOptions gather;
 };
 
-/// Where one source's flux in one band went, W. emitted = absorbed + escaped + lost + dropped, but for what
-/// the sampling of direct light misses: `imbalance` is that difference over emitted.
+/// Where one source's flux in one band went, W. `imbalance` is what is left of emitted after absorbed,
+/// escaped, lost and dropped, over emitted: what the sampling of direct light misses and what the network's
+/// columns are off by.
 struct EnergyBalance {
   double emitted_W = 0.0;
   double absorbed_W = 0.0;
-  double escaped_W = 0.0;  ///< out of an open zone
-  double lost_W = 0.0;     ///< on backs of surfaces and on luminaire bodies
-  double dropped_W = 0.0;  ///< still being reflected when the solution was good enough
+  double escaped_W = 0.0;  ///< out of an open zone, or reflected onto backs of surfaces
+  double lost_W = 0.0;     ///< direct, on backs of surfaces and on luminaire bodies
+  double dropped_W = 0.0;  ///< still being reflected when the solution was good enough; either sign
   double imbalance = 0.0;
 };
 

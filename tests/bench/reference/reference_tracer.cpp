@@ -1012,13 +1012,17 @@ void points(const Scene& scene, const Options& options, const std::string& comma
 /// Area means over the surfaces (both sides of a two-sided panel together), from random points on them.
 void surfaces(const Scene& scene, const Options& options, const std::string& command) {
   std::vector<Estimate> results(scene.polygons.size());
+  double total_m2 = 0;
+  for (const Polygon& p : scene.polygons) total_m2 += p.area_m2;
+  const double per_m2 = static_cast<double>(options.samples) * static_cast<double>(results.size()) / total_m2;
   const Tally tally = for_all(results.size(), scene, options, [&](std::size_t i, Tracer& tracer) {
     const Polygon& polygon = scene.polygons[i];
     const OwnRectangle rectangle(polygon.rings.front(), polygon.normal);
     std::vector<double> batches;
     for (int b = 0; b < kBatches; ++b) {
       Random random(options.seed * 0x9e3779b97f4a7c15u + i * kBatches + static_cast<std::size_t>(b));
-      const long n = std::max(1L, options.samples / kBatches);
+      const long n = 2 + 2 * (std::max(options.samples / 8, static_cast<long>(per_m2 * polygon.area_m2)) /
+                              (2 * kBatches));
       double sum = 0;
       for (long k = 0; k < n; ++k) {
         Vec p;
@@ -1111,7 +1115,9 @@ constexpr const char* kUsage =
     "[--seed N]\n"
     "                        [--set finishes.NAME.diffuse=VALUE] [--surfaces] [--view NAME --picture "
     "FILE.ppm]\n"
-    "  --samples N   paths per point (default 65536), per surface with --surfaces, per pixel with --picture\n"
+    "  --samples N   paths per point (default 65536), per pixel with --picture; with --surfaces mean per "
+    "surface,\n"
+    "                shared out by area\n"
     "  --strata K    K x K strata of every opening in each of 64 batches of direct light (default 4)\n"
     "  --surfaces    area means over the surfaces and the flux balance in place of the measuring points\n";
 

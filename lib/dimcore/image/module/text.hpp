@@ -2,7 +2,8 @@
 
 #include "image/module/abi.hpp"
 
-/// Inside the picture module: text on 8-bit pictures.
+/// Inside the picture module: text on 8-bit pictures. ASCII and the superscripts ¹ ² ³ ⁰; another character
+/// is drawn as a question mark.
 namespace dim::image_module {
 
 /// @throws std::runtime_error  no font is installed

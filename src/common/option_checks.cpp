@@ -1,0 +1,51 @@
+#include "common/option_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+
+namespace dim {
+namespace {
+
+CLI::Validator silent(std::function<std::string(std::string&)> check) {
+  return CLI::Validator(std::move(check), "");
+}
+
+// NaN where the text is no number.
+double number_of(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  return text.empty() || *end != '\0' || !std::isfinite(value) ? std::nan("") : value;
+}
+
+}  // namespace
+
+CLI::Validator pair_of(const std::string& form) {
+  return silent([form](const std::string& text) -> std::string {
+    const auto equals = text.find('=');
+    if (equals != std::string::npos && equals > 0) return {};
+    return fmt::format("'{}' is not {}", text, form);
+  });
+}
+
+CLI::Validator pair_with_factor(const std::string& form) {
+  return silent([form](const std::string& text) -> std::string {
+    const auto equals = text.rfind('=');
+    if (equals != std::string::npos && equals > 0 && number_of(text.substr(equals + 1)) >= 0.0) return {};
+    return fmt::format("'{}' is not {} with a factor of at least 0", text, form);
+  });
+}
+
+CLI::Validator number_within(double low, double high, bool low_open) {
+  return silent([=](const std::string& text) -> std::string {
+    const double value = number_of(text);
+    if (value >= low && value <= high && !(low_open && value == low)) return {};
+    if (std::isinf(high))
+      return fmt::format("'{}' is not a number {} {:g}", text, low_open ? "greater than" : "of at least",
+                         low);
+    return fmt::format("'{}' is not a number within {:g}..{:g}", text, low, high);
+  });
+}
+
+}  // namespace dim

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace dim {
+
+/// Refuses an option's value that is not `KEY=VALUE`; `form` is how the message calls it.
+CLI::Validator pair_of(const std::string& form);
+
+/// The same where the value must be a finite number of at least 0.
+CLI::Validator pair_with_factor(const std::string& form);
+
+/// A finite number within low..high, the ends included or, where `low_open`, without the lower one.
+CLI::Validator number_within(double low, double high, bool low_open = false);
+
+}  // namespace dim
