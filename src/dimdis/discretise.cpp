@@ -61,7 +61,8 @@ Exit DiscretiseCommand::run() {
   program_.check_output(output_, {input_.path});
   NetworkOptions options;
   options.patches = patches_of(patches_, "--patches");
-  options.point_patches = patches_of(point_patches_, "--point-patches");
+  const bool automatic = point_patches_ == "auto";
+  if (!automatic) options.point_patches = patches_of(point_patches_, "--point-patches");
   options.sampling = sampling_ == "centre" ? Sampling::centre : Sampling::stratified;
   options.family = family_;
   options.seed = seed_;
@@ -70,8 +71,7 @@ Exit DiscretiseCommand::run() {
   const Zone zone = read_zone(program_, input_);
   program_.stage("cells");
   const Cells cells(zone);
-  options.point_patches = point_patches_ == "auto" ? automatic_point_patches(zone.points.size())
-                                                   : parse_patches(point_patches_, "--point-patches");
+  if (automatic) options.point_patches = automatic_point_patches(zone.points.size());
   program_.stage("rays");
   const Job job = program_.job();
   const Network network = build_network(zone, cells, options, job);

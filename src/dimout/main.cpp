@@ -5,6 +5,7 @@ int main(int argc, char** argv) {
                        "  dimout grid office.lum --stats\n  dimout image office.lum --view door -o door.png",
                        "file formats: lum/1");
   program.app().require_subcommand(1);
+  program.add_common_options(program.app(), true);
   dim::TableCommands tables(program);
   dim::ImageCommand image(program);
   return program.run(argc, argv, [&] {

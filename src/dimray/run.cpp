@@ -116,7 +116,8 @@ Exit SolveCommand::run() {
   program_.stage("solve");
   const Job job = program_.job();
   Warnings warnings;
-  const Solution solution = simulate(rays.zone, cells, rays.network, all_lights, options(), job, warnings);
+  const Solution solution = in_file(
+      rays_, [&] { return simulate(rays.zone, cells, rays.network, all_lights, options(), job, warnings); });
   program_.warn(warnings);
   program_.stage(kWritingStage);
   const std::string hash = save_lum(output_, rays.zone, cells, all_lights, solution, rays.hash, job);

@@ -145,6 +145,7 @@ near() { awk -v a="$1" -v b="$2" 'BEGIN { d = a - b; if (d < 0) d = -d; exit !(d
   refused 2 "NAME=ENTRY" dimray room.rays room.lights.toml -o x.lum --finish dark
   refused 2 "0\.\.1" dimray room.rays room.lights.toml -o x.lum --finish dark=1.5
   refused 3 "no finish 'drak'.*did you mean 'dark'" dimray room.rays room.lights.toml -o x.lum --finish drak=0.5
+  refused 3 "room.rays: finish 'dark'.*less than 1" dimray room.rays room.lights.toml -o x.lum --finish dark=1
   refused 3 "did you mean 'paint-white-matt'" dimray room.rays room.lights.toml -o x.lum --finish dark=paint-white-mat
 }
 
@@ -176,6 +177,10 @@ near() { awk -v a="$1" -v b="$2" 'BEGIN { d = a - b; if (d < 0) d = -d; exit !(d
   [ "$status" -eq 0 ] && [ -z "$output$stderr" ]
   run --separate-stderr dimdis room.zone.toml --verbose --patches 8x16 -o q.rays
   [ -z "$output" ] && [[ "$stderr" == *rays* ]]
+  for command in "dimout grid room.lum" "dimout --quiet --threads 1 grid room.lum" "dimout grid room.lum --quiet"; do
+    run --separate-stderr $command
+    [ "$status" -eq 0 ] && [ -z "$stderr" ] && [ -n "$output" ]
+  done
   run --separate-stderr dimout grid room.lum
   [ -z "$stderr" ] && [ -n "$output" ]
 }

@@ -4,13 +4,10 @@
 setup_file() { load common; make_room; }
 setup() { load common; enter_copy; }
 
-# Waits until the file pattern exists or the process has ended.
-await() {
-  local i
-  for i in $(seq 400); do
-    compgen -G "$1" > /dev/null && return 0
-    kill -0 "$2" 2> /dev/null || return 1
-    sleep 0.01
+# Waits until the temporary of the file named holds something, or the process has ended.
+await_writing() {
+  while kill -0 "$2" 2> /dev/null; do
+    [ -z "$(find . -name ".$1.*.tmp" -size +0 2> /dev/null)" ] || return 0
   done
   return 1
 }
@@ -104,15 +101,16 @@ await() {
 @test "kill -9 during a write leaves the previous file whole" {
   dimdis room.zone.toml -q -o big.rays
   sum=$(cksum < big.rays)
-  for attempt in 1 2 3; do
-    dimdis room.zone.toml -q --cell 0.1 --patches 32x64 -o big.rays &
-    await '.big.rays*' $! || true
-    kill -9 $! 2> /dev/null || true
+  killed=0
+  for attempt in 1 2 3 4 5; do
+    dimdis room.zone.toml -q --cell 0.1 --patches 16x64 -o big.rays &
+    await_writing big.rays $! && kill -9 $! && killed=$((killed + 1))
     wait $! || true
     # Killed in time the file is the old one; too late, the new one, whole.
     [ "$(cksum < big.rays)" = "$sum" ] || dimray big.rays room.lights.toml -q -o all.lum
-    rm -f .big.rays*
+    [ "$killed" -lt 2 ] || break
   done
+  [ "$killed" -gt 0 ] || skip "written too quickly to be killed meanwhile"
 }
 
 @test "Ctrl-C ends a long run within a second, with status 130 and no file" {

@@ -68,7 +68,7 @@ TEST_CASE("Surface entries that cannot be are refused", "[database][unit]") {
         "oak.toml:1:11: diffuse must be at least 0 and less than 1, not 1.5");
   CHECK(message_of("kind = \"opaque\"\n") == "oak.toml:1:1: 'diffuse' is missing");
   CHECK(message_of("kind = \"metal\"\n")
-            .starts_with("oak.toml:1:8: kind must be one of opaque, glazing, not 'metal'"));
+            .find("oak.toml:1:8: kind must be one of opaque, glazing, not 'metal'") != std::string::npos);
   CHECK(message_of("dim = \"surface/2\"\ndiffuse = 0.5\n").find("newer") != std::string::npos);
   CHECK(message_of("dim = \"fitting/1\"\ndiffuse = 0.5\n").find("not a surface file") != std::string::npos);
   CHECK(message_of("diffuse = 0.5\nrougness = 0.2\n") ==

@@ -29,7 +29,8 @@ Hdf5Writer sample(const std::string& kind = "rays", int version = 1, std::size_t
 /// Why the file is refused, without its name; empty if it is not.
 std::string refusal(const std::string& path, int max_version = 1) {
   const std::string message = io_error([&] { const Hdf5Reader reader(path, "rays", max_version); });
-  return message.empty() ? message : message.substr(path.size() + 2);
+  const std::string name = path == "-" ? "standard input" : path;
+  return message.empty() ? message : message.substr(name.size() + 2);
 }
 
 std::string refusal_of(const Folder& folder, std::string_view bytes) {

@@ -302,9 +302,21 @@ TEST_CASE("All problems of a file come together", "[scene][unit]") {
   const auto problems = with(surface("a", "vertices = [[1,1,1],[2,1,1]]") + surface("b", "vertices = 3") +
                              "[[box]]\nname = \"c\"\nfinish = \"none\"\ncorner = [1,1,1]\nsize = [1,1,1]\n");
   REQUIRE(problems.size() == 3);
-  CHECK(problems[0].starts_with("38:12 surface 'b'"));
-  CHECK(problems[1].starts_with("34:12 surface 'a'"));
+  CHECK(problems[0].starts_with("34:12 surface 'a'"));
+  CHECK(problems[1].starts_with("38:12 surface 'b'"));
   CHECK(problems[2].starts_with("41:10 surface 'c.top': no finish 'none'"));
+}
+
+TEST_CASE("Hundreds of copies at one place are refused together, not pair by pair", "[scene][unit]") {
+  std::string names, by;
+  for (int i = 0; i < 300; ++i) {
+    names += "\"d" + std::to_string(i) + "\",";
+    by += "[1,0,0],";
+  }
+  const auto problems = with("[[box]]\nname = \"d\"\nfinish = \"grey\"\ncorner = [1,1,1]\nsize = [0.2,0.2,0.2]\n"
+                             "[[copy]]\nof = \"d\"\nnames = [" + names + "]\nby = [" + by + "]\n");
+  REQUIRE(problems.size() == 1);
+  CHECK(problems[0].find("lie on top of each other") != std::string::npos);
 }
 
 TEST_CASE("An empty zone and a zone of boxes alone", "[scene][unit]") {

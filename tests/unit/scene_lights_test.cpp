@@ -226,7 +226,8 @@ TEST_CASE("Wrong luminaires are refused with place and cure", "[scene][lights][u
   check_one(light_problems(one(lamp + "count = [0,2]\npitch = [1,1]")),
             "lamps/lights.toml:6:10: luminaire 'A1': count must be 1 to 10000, not 0");
   check_one(light_problems(one(lamp + "count = [10000,10000]\npitch = [0,0]")),
-            "lamps/lights.toml:6:9: luminaire 'A1': more than 100000 luminaires");
+            "lamps/lights.toml:6:9: luminaire 'A1': count = [10000, 10000] makes 100000000 luminaires; a file "
+            "has at most 100000\n        use fewer, or one luminaire of the same total flux for several");
   check_one(light_problems(one(lamp + "intensity = 5")),
             "lamps/lights.toml:6:13: luminaire 'A1': intensity belongs to an ideal source\n        use "
             "lumens or dim");
