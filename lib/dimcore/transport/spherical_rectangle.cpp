@@ -6,7 +6,9 @@
 namespace dim {
 namespace {
 
-double angle_between(const Vec3& a, const Vec3& b) { return std::acos(std::clamp(-glm::dot(a, b), -1.0, 1.0)); }
+double angle_between(const Vec3& a, const Vec3& b) {
+  return std::acos(std::clamp(-glm::dot(a, b), -1.0, 1.0));
+}
 
 }  // namespace
 
@@ -14,10 +16,13 @@ SphericalRectangle::SphericalRectangle(const Frame& frame, const Vec2& low, cons
     : foot_(frame.to_local(eye)), low_(low - foot_), high_(high - foot_), height_m_(frame.height(eye)) {
   if (!(height_m_ > 0.0)) return;
   const double h = height_m_;
-  const auto corner = [h](double x, double y) { return std::atan2(x * y, h * std::sqrt(x * x + y * y + h * h)); };
-  solid_angle_sr_ = std::max(0.0, corner(high_.x, high_.y) - corner(low_.x, high_.y) - corner(high_.x, low_.y) +
-                                      corner(low_.x, low_.y));
-  const Vec3 v00(low_.x, low_.y, -h), v10(high_.x, low_.y, -h), v11(high_.x, high_.y, -h), v01(low_.x, high_.y, -h);
+  const auto corner = [h](double x, double y) {
+    return std::atan2(x * y, h * std::sqrt(x * x + y * y + h * h));
+  };
+  solid_angle_sr_ = std::max(0.0, corner(high_.x, high_.y) - corner(low_.x, high_.y) -
+                                      corner(high_.x, low_.y) + corner(low_.x, low_.y));
+  const Vec3 v00(low_.x, low_.y, -h), v10(high_.x, low_.y, -h), v11(high_.x, high_.y, -h),
+      v01(low_.x, high_.y, -h);
   const Vec3 n0 = glm::normalize(glm::cross(v00, v10)), n1 = glm::normalize(glm::cross(v10, v11)),
              n2 = glm::normalize(glm::cross(v11, v01)), n3 = glm::normalize(glm::cross(v01, v00));
   b0_ = n0.z;

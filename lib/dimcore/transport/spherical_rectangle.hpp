@@ -20,8 +20,8 @@ class SphericalRectangle {
   Vec2 sample(double s, double t) const;
 
  private:
-  Vec2 foot_;       // of the eye on the plane
-  Vec2 low_, high_; // relative to the foot
+  Vec2 foot_;        // of the eye on the plane
+  Vec2 low_, high_;  // relative to the foot
   double height_m_;
   double solid_angle_sr_ = 0.0;
   double b0_ = 0.0, b1_ = 0.0, k_ = 0.0, excess_ = 0.0;
