@@ -30,8 +30,8 @@ inline LuminousOpening rectangle(double length_m, double width_m) {
 /// Adds a luminaire with a fitting of its own; a group of its own too where none is given.
 inline Luminaire& add_lamp(Lights& lights, const std::string& name, const Vec3& at,
                            const IntensityTable& intensity, const LampOptions& options = {}) {
-  lights.fittings.push_back({name, intensity, options.opening, intensity.flux_lm(), SpectralCurve(1.0), false,
-                             "", 0.0});
+  lights.fittings.push_back(
+      {name, intensity, options.opening, intensity.flux_lm(), SpectralCurve(1.0), false, "", 0.0});
   Luminaire lamp;
   lamp.name = name;
   lamp.group = options.group.empty() ? name : options.group;
