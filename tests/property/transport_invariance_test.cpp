@@ -37,25 +37,27 @@ struct RoomFile {
       std::string corners;
       for (std::size_t i = 0; i < ring.size(); ++i)
         corners += text(ring[(i + static_cast<std::size_t>(start)) % ring.size()]) + ",";
-      entries.push_back(fmt::format("[[surface]]\nname = \"{}\"\nfinish = \"grey\"\nvertices = [{}]\n", name,
-                                    corners));
+      entries.push_back(
+          fmt::format("[[surface]]\nname = \"{}\"\nfinish = \"grey\"\nvertices = [{}]\n", name, corners));
     }
     if (backwards) entries = {entries.rbegin(), entries.rend()};
-    std::string file = fmt::format("dim = \"zone/1\"\nname = \"room\"\ncell = {:.17g}\n[finishes]\ngrey = 0.5\n",
-                                   0.25 * scale);
+    std::string file = fmt::format(
+        "dim = \"zone/1\"\nname = \"room\"\ncell = {:.17g}\n[finishes]\ngrey = 0.5\n", 0.25 * scale);
     for (const auto& entry : entries) file += entry;
-    file += fmt::format("[[box]]\nname = \"desk\"\nfinish = \"grey\"\ncorner = {}\nsize = [{:.17g}, {:.17g}, {:.17g}]\n",
-                        text({1, 1, 0.7}), 1.6 * scale, 0.8 * scale, 0.05 * scale);
+    file += fmt::format(
+        "[[box]]\nname = \"desk\"\nfinish = \"grey\"\ncorner = {}\nsize = [{:.17g}, {:.17g}, {:.17g}]\n",
+        text({1, 1, 0.7}), 1.6 * scale, 0.8 * scale, 0.05 * scale);
     file += fmt::format("[[plane]]\nname = \"work\"\nvertices = [{}, {}, {}, {}]\ngrid = [12, 8]\n",
                         text({0.5, 0.5, 1}), text({5.5, 0.5, 1}), text({5.5, 3.5, 1}), text({0.5, 3.5, 1}));
     return file;
   }
 
   std::string lights() const {
-    return fmt::format("dim = \"lights/1\"\n[[luminaire]]\nname = \"a\"\nideal = \"lambertian\"\nintensity = 1000\n"
-                       "at = {}\nopening = [{:.17g}, {:.17g}]\naim = [0, 0, -1]\n"
-                       "[[luminaire]]\nname = \"b\"\nideal = \"isotropic\"\nintensity = 100\nat = {}\n",
-                       text({2, 2, 2.9}), 1.2 * scale, 0.3 * scale, text({4.5, 1.5, 2}));
+    return fmt::format(
+        "dim = \"lights/1\"\n[[luminaire]]\nname = \"a\"\nideal = \"lambertian\"\nintensity = 1000\n"
+        "at = {}\nopening = [{:.17g}, {:.17g}]\naim = [0, 0, -1]\n"
+        "[[luminaire]]\nname = \"b\"\nideal = \"isotropic\"\nintensity = 100\nat = {}\n",
+        text({2, 2, 2.9}), 1.2 * scale, 0.3 * scale, text({4.5, 1.5, 2}));
   }
 };
 
@@ -77,8 +79,7 @@ Answer answer(const RoomFile& file) {
   network_options.point_patches = {24, 48};
   SimulationOptions options;
   options.combine = Combine::all;
-  const Solution solution =
-      solve(zone, lights, build_network(zone, cells, network_options, Job{}), options);
+  const Solution solution = solve(zone, lights, build_network(zone, cells, network_options, Job{}), options);
   return {test::point_lx(solution), illuminance_lx(solution, solution.point_direct, 0, solution.n_points),
           total(cells, cell_lx(solution)) / area_m2(cells)};
 }
@@ -112,8 +113,8 @@ TEST_CASE("Moving a zone a million metres leaves its light alone", "[transport][
 TEST_CASE("Scaling all lengths scales illuminance by one over the square", "[transport][property]") {
   const Answer here = answer({});
   // Powers of two scale every length without rounding; others round and move a few rays.
-  for (const auto& [scale, tolerance] : std::vector<std::pair<double, double>>{
-           {0x1p-10, 1e-6}, {0x1p10, 1e-6}, {1e-3, 1e-4}, {1e3, 1e-4}}) {
+  for (const auto& [scale, tolerance] :
+       std::vector<std::pair<double, double>>{{0x1p-10, 1e-6}, {0x1p10, 1e-6}, {1e-3, 1e-4}, {1e3, 1e-4}}) {
     const Answer there = answer({.scale = scale});
     CAPTURE(scale);
     CHECK(rms(there.point_direct_lx, here.point_direct_lx, scale * scale) < tolerance);

@@ -17,10 +17,10 @@ namespace dim::test {
 
 struct LampOptions {
   Vec3 aim{0, 0, -1};
-  LuminousOpening opening;
+  LuminousOpening opening{};
   double factor = 1.0;
   bool body = false;
-  std::string group;
+  std::string group{};
 };
 
 inline LuminousOpening rectangle(double length_m, double width_m) {
@@ -30,9 +30,8 @@ inline LuminousOpening rectangle(double length_m, double width_m) {
 /// Adds a luminaire with a fitting of its own; a group of its own too where none is given.
 inline Luminaire& add_lamp(Lights& lights, const std::string& name, const Vec3& at,
                            const IntensityTable& intensity, const LampOptions& options = {}) {
-  Fitting fitting{name, intensity, options.opening};
-  fitting.flux_lm = intensity.flux_lm();
-  lights.fittings.push_back(fitting);
+  lights.fittings.push_back(
+      {name, intensity, options.opening, intensity.flux_lm(), SpectralCurve(1.0), false, "", 0.0});
   Luminaire lamp;
   lamp.name = name;
   lamp.group = options.group.empty() ? name : options.group;

@@ -7,11 +7,22 @@ using namespace dim::test;
 
 namespace {
 
+// A floor in the open, its first cells those of the test. Far below lies ground so wide that nothing above it
+// counts as faint (bringing less than 1 % of the mean), where a few rays would do.
 Zone open_floor(const Vec2& lo, const Vec2& hi, int nu, int nv) {
   Zone zone;
-  zone.diameter_m = 20.0;
+  zone.diameter_m = 1500.0;
   add_floor(zone, lo, hi, 0.0, nu, nv);
+  add_floor(zone, {-500, -500}, {500, 500}, -50.0, 1, 1);
   return zone;
+}
+
+// Flux on the first surface.
+double floor_lm(const Zone& zone, const DirectLight& light) {
+  const Cells cells(zone);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < cells.first(1); ++i) sum += cells.area_m2(i) * light.cell_lx[i];
+  return sum;
 }
 
 }  // namespace
@@ -40,7 +51,7 @@ TEST_CASE("Every cell of a grid gets its own solid angle's flux", "[direct][unit
   const Cells cells(zone);
   const Vec3 at(0.37, -0.21, 0.5);
   const auto light = test::direct(zone, point_lamp(at, 100.0));
-  for (std::size_t i = 0; i < cells.size(); ++i) {
+  for (std::size_t i = 0; i < cells.first(1); ++i) {
     const auto& cell = cells[i];
     const Vec3 lo = zone.surfaces[0].polygon.frame().to_world(cell.low),
                hi = zone.surfaces[0].polygon.frame().to_world(cell.high);
@@ -56,7 +67,7 @@ TEST_CASE("A source one millimetre from a surface is finite and conserves flux",
   const auto light = test::direct(zone, point_lamp({0.013, 0.021, 1e-3}, 100.0));
   for (const double lx : light.cell_lx) CHECK(std::isfinite(lx));
   const double omega = solid_angle_sr({-1.013, -1.021}, {0.987, 0.979}, 1e-3);
-  CHECK(total(Cells(zone), light.cell_lx) == Approx(100.0 * omega).epsilon(5e-3));
+  CHECK(floor_lm(zone, light) == Approx(100.0 * omega).epsilon(5e-3));
 }
 
 TEST_CASE("A Lambertian panel's flux on a large floor is its own", "[direct][unit]") {
@@ -75,7 +86,7 @@ TEST_CASE("A Lambertian panel's flux on a large floor is its own", "[direct][uni
           lambert_lx(p, {0, 0, -1}, {{-6, -6, 0}, {6, -6, 0}, {6, 6, 0}, {-6, 6, 0}}, 1.0 / kPi) / (n * n);
     }
   }
-  CHECK(total(Cells(zone), light.cell_lx) == Approx(kPi * 100.0 * view_factor).epsilon(2e-3));
+  CHECK(floor_lm(zone, light) == Approx(kPi * 100.0 * view_factor).epsilon(2e-3));
 }
 
 TEST_CASE("A panel just above a surface shines on it with conserved flux", "[direct][unit]") {
@@ -97,7 +108,7 @@ TEST_CASE("A panel just above a surface shines on it with conserved flux", "[dir
     }
   }
   CAPTURE(height);
-  CHECK(total(Cells(zone), light.cell_lx) == Approx(kPi * 100.0 * view_factor).epsilon(5e-3));
+  CHECK(floor_lm(zone, light) == Approx(kPi * 100.0 * view_factor).epsilon(5e-3));
 }
 
 TEST_CASE("A panel that lies in the plane of a surface gives it nothing and does not take forever",
@@ -112,12 +123,13 @@ TEST_CASE("A panel that lies in the plane of a surface gives it nothing and does
   const Vec3 n = zone.surfaces[0].polygon.normal();
   for (const auto& intensity : {IntensityTable::lambertian(10.0), IntensityTable::isotropic(10.0)}) {
     Lights lights;
-    auto& lamp = add_lamp(lights, "panel", o + 0.11 * u, intensity, {.aim = n, .opening = rectangle(0.6, 0.6)});
+    auto& lamp =
+        add_lamp(lights, "panel", o + 0.11 * u, intensity, {.aim = n, .opening = rectangle(0.6, 0.6)});
     lamp.c0 = u;
     lamp.c90 = glm::cross(lamp.c0, lamp.aim);
     const auto light = test::direct(zone, lights);
     for (const double lx : light.cell_lx) CHECK(std::isfinite(lx));
-    if (intensity.zero_behind()) CHECK(total(Cells(zone), light.cell_lx) < 1e-3 * kPi * 10.0);
+    if (intensity.zero_behind()) CHECK(floor_lm(zone, light) < 1e-3 * kPi * 10.0);
   }
 }
 
@@ -190,7 +202,8 @@ TEST_CASE("A luminaire's body stops light from behind and not its own", "[direct
     if (body)
       CHECK(light.cell_lx[1] == 0.0);
     else
-      CHECK(light.cell_lx[1] == Approx(100.0 * solid_angle_sr({-0.1, -0.1}, {0.1, 0.1}, 2) / 0.04).epsilon(1e-3));
+      CHECK(light.cell_lx[1] ==
+            Approx(100.0 * solid_angle_sr({-0.1, -0.1}, {0.1, 0.1}, 2) / 0.04).epsilon(1e-3));
   }
 }
 
@@ -204,7 +217,7 @@ TEST_CASE("A narrow beam brings a floor of coarse cells its whole flux", "[direc
   add_lamp(lights, "spot", {0.11, 0.07, 2.0}, table);
   const auto light = test::direct(zone, lights);
   CAPTURE(n);
-  CHECK(total(Cells(zone), light.cell_lx) == Approx(table.flux_lm()).epsilon(5e-3));
+  CHECK(floor_lm(zone, light) == Approx(table.flux_lm()).epsilon(5e-3));
 }
 
 TEST_CASE("Sources are summed into the columns they are given", "[direct][unit]") {
@@ -217,7 +230,8 @@ TEST_CASE("Sources are summed into the columns they are given", "[direct][unit]"
   const auto apart = direct_light(zone, cells, lights, {0, 1, 2}, 3, Job{});
   const auto grouped = direct_light(zone, cells, lights, {1, 0, 1}, 2, Job{});
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    CHECK(grouped.cell_lx[2 * i + 1] == Approx(apart.cell_lx[3 * i] + apart.cell_lx[3 * i + 2]).epsilon(1e-14));
+    CHECK(grouped.cell_lx[2 * i + 1] ==
+          Approx(apart.cell_lx[3 * i] + apart.cell_lx[3 * i + 2]).epsilon(1e-14));
     CHECK(grouped.cell_lx[2 * i] == apart.cell_lx[3 * i + 1]);
   }
   CHECK(grouped.point_lx[1] == Approx(apart.point_lx[0] + apart.point_lx[2]).epsilon(1e-14));

@@ -107,8 +107,7 @@ TEST_CASE("A disc on its axis gives I over R squared plus h squared", "[direct][
            {.opening = {OpeningShape::kEllipse, 2 * radius, 2 * radius, 0.0}});
   const auto light = test::direct(zone, lights);
   for (std::size_t i = 0; i < heights.size(); ++i)
-    CHECK(light.point_lx[i] ==
-          Approx(100.0 / (radius * radius + heights[i] * heights[i])).epsilon(5e-3));
+    CHECK(light.point_lx[i] == Approx(100.0 / (radius * radius + heights[i] * heights[i])).epsilon(5e-3));
 }
 
 TEST_CASE("A line source of Lambertian points agrees with its integral", "[direct][unit]") {

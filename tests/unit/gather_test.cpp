@@ -201,10 +201,12 @@ TEST_CASE("Columns do not touch each other, however many there are", "[gather][u
   const auto base = uneven(n);
   std::vector<double> direct(n * n_columns);
   for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t c = 0; c < n_columns; ++c) direct[i * n_columns + c] = base[i] * static_cast<double>(1 << (c % 20));
+    for (std::size_t c = 0; c < n_columns; ++c)
+      direct[i * n_columns + c] = base[i] * static_cast<double>(1 << (c % 20));
   const GatherOptions options{.tolerance = 1e-13};
   const auto one = gather_one(zone, network, base, options);
-  const auto all = gather(network, cells, direct, {}, reflectances(zone, n_columns), n_columns, options, Job{});
+  const auto all =
+      gather(network, cells, direct, {}, reflectances(zone, n_columns), n_columns, options, Job{});
   // Powers of two: the same digits.
   bool same = true;
   for (std::size_t i = 0; i < n; ++i)

@@ -96,7 +96,8 @@ TEST_CASE("More than 65,535 cells take sinks of four bytes", "[network][unit]") 
   for (const double e : gathered.cell) REQUIRE(e == Approx(2.0).epsilon(1e-6));
 }
 
-TEST_CASE("The widest network of two-byte sinks keeps 'nowhere' apart from its last cell", "[network][unit]") {
+TEST_CASE("The widest network of two-byte sinks keeps 'nowhere' apart from its last cell",
+          "[network][unit]") {
   const SinkTable narrow(1, 1, 0xFFFF), wide(1, 1, 0x10000);
   CHECK_FALSE(narrow.wide());
   CHECK(wide.wide());
@@ -124,7 +125,8 @@ TEST_CASE("A network that names cells out of range is refused", "[network][unit]
   CHECK(refused([](Network&) {}).empty());
   CHECK(refused([](Network&) {}, true).empty());
   CHECK(refused([&](Network& n) { n.sinks.set(1, 2, n_cells + 1); }).find("sinks") != std::string::npos);
-  CHECK(refused([&](Network& n) { n.point_sinks.set(2, 11, 0xFFFF); }).find("point_sinks") != std::string::npos);
+  CHECK(refused([&](Network& n) { n.point_sinks.set(2, 11, 0xFFFF); }).find("point_sinks") !=
+        std::string::npos);
   CHECK_FALSE(refused([](Network& n) { n.visible.pop_back(); }).empty());
   CHECK_FALSE(refused([](Network& n) { n.row_scale.push_back(1.0); }).empty());
   CHECK_FALSE(refused([](Network& n) { n.point_back_fraction.clear(); }).empty());

@@ -71,7 +71,8 @@ TEST_CASE("Sources apart, in groups and together give the same light", "[simulat
     cells.insert(cells.end(), points.begin(), points.end());
     return cells;
   };
-  const auto each = sum_of(Combine::each, 3), group = sum_of(Combine::group, 2), all = sum_of(Combine::all, 1);
+  const auto each = sum_of(Combine::each, 3), group = sum_of(Combine::group, 2),
+             all = sum_of(Combine::all, 1);
   // Irradiances are stored in single precision, 6e-8 each.
   CHECK(worst_difference(group, each) < 1e-6);
   CHECK(worst_difference(all, each) < 1e-6);

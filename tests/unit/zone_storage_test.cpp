@@ -190,12 +190,14 @@ std::string refusal(const Forgery& f, const std::string& path) {
   for (const std::string group : {"surfaces", "planes"}) {
     const bool s = group == "surfaces";
     const std::vector<std::uint32_t> none;
-    numbers(group + "/frame", s ? std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1} : std::vector<double>{},
+    numbers(group + "/frame",
+            s ? std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1} : std::vector<double>{},
             {s ? 1u : 0u, 4, 3});
     const auto& rings = s ? f.n_rings : none;
     const auto& corners = s ? f.n_corners : none;
     file.dataset("/zone/" + group + "/n_rings", std::span<const std::uint32_t>(rings), {rings.size()}, "1");
-    file.dataset("/zone/" + group + "/n_corners", std::span<const std::uint32_t>(corners), {corners.size()}, "1");
+    file.dataset("/zone/" + group + "/n_corners", std::span<const std::uint32_t>(corners), {corners.size()},
+                 "1");
     numbers(group + "/corner_uv", s ? std::vector<double>{0, 0, 1, 0, 0, 1} : std::vector<double>{},
             {s ? 3u : 0u, 2});
   }
@@ -209,10 +211,11 @@ std::string refusal(const Forgery& f, const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("A zone with holes, twins, features, planes and views comes back to the last bit", "[scene][unit]") {
+TEST_CASE("A zone with holes, twins, features, planes and views comes back to the last bit",
+          "[scene][unit]") {
   const Folder folder;
   const Zone zone = full_zone();
-  REQUIRE(zone.surfaces.size() == 6 + 1 + 2 + 6);
+  REQUIRE(zone.surfaces.size() == 6 + 1 + 2 + 5);  // the desk stands on the floor
   check_same(zone, stored_and_loaded(zone, folder / "a.rays"));
 }
 
@@ -233,7 +236,8 @@ TEST_CASE("Every property of a finish comes back", "[scene][unit]") {
 
 TEST_CASE("An empty list of points, planes and views comes back empty", "[scene][unit]") {
   const Folder folder;
-  check_same(box_zone({2, 3, 4}, 0.5, 1.0), stored_and_loaded(box_zone({2, 3, 4}, 0.5, 1.0), folder / "a.rays"));
+  check_same(box_zone({2, 3, 4}, 0.5, 1.0),
+             stored_and_loaded(box_zone({2, 3, 4}, 0.5, 1.0), folder / "a.rays"));
 }
 
 TEST_CASE("A forged zone is refused in one line, whatever does not hold together", "[scene][unit]") {
@@ -248,10 +252,10 @@ TEST_CASE("A forged zone is refused in one line, whatever does not hold together
   const auto table = [&](std::size_t column, std::int32_t value) {
     return with([&](Forgery& f) { f.table[column] = value; });
   };
-  CHECK_FALSE(table(0, 1).empty());   // no such finish
-  CHECK_FALSE(table(0, -1).empty());  // none
-  CHECK_FALSE(table(1, 7).empty());   // no such parent
-  CHECK_FALSE(table(2, -2).empty());  // no such twin
+  CHECK_FALSE(table(0, 1).empty());                               // no such finish
+  CHECK_FALSE(table(0, -1).empty());                              // none
+  CHECK_FALSE(table(1, 7).empty());                               // no such parent
+  CHECK_FALSE(table(2, -2).empty());                              // no such twin
   CHECK_FALSE(with([](Forgery& f) { f.table[6] = 3; }).empty());  // a grid of 3 x 0
   CHECK_FALSE(with([](Forgery& f) { f.n_corners = {4}; }).empty());
   CHECK_FALSE(with([](Forgery& f) { f.n_corners = {2}; }).empty());
@@ -262,7 +266,6 @@ TEST_CASE("A forged zone is refused in one line, whatever does not hold together
   CHECK_FALSE(with([](Forgery& f) { f.points[1] = std::nan(""); }).empty());
   CHECK_FALSE(with([](Forgery& f) { f.description = "{"; }).empty());
   CHECK_FALSE(with([](Forgery& f) { f.description = R"({"name":3})"; }).empty());
-  CHECK_FALSE(with([](Forgery& f) {
-                f.description.replace(f.description.find("[[555,0.5]]"), 11, "[]");
-              }).empty());
+  CHECK_FALSE(
+      with([](Forgery& f) { f.description.replace(f.description.find("[[555,0.5]]"), 11, "[]"); }).empty());
 }

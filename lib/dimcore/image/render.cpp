@@ -23,10 +23,11 @@ Ring3 outline(const ShownLuminaire& luminaire) {
   const auto shape = luminaire.opening.shape;
   if (shape == OpeningShape::kEllipse || shape == OpeningShape::kVerticalCylinder ||
       shape == OpeningShape::kEllipsoid) {
+    // Corners a little outside, so that the area, and with it the light shown, is that of the round shape.
+    const double turn = 2.0 * kPi / kRoundCorners, swell = std::sqrt(turn / std::sin(turn));
     Ring3 ring;
     for (int i = 0; i < kRoundCorners; ++i) {
-      const double angle = 2.0 * kPi * i / kRoundCorners;
-      ring.push_back(at(a * std::cos(angle), b * std::sin(angle)));
+      ring.push_back(at(swell * a * std::cos(i * turn), swell * b * std::sin(i * turn)));
     }
     return ring;
   }

@@ -4,6 +4,8 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 
 #include "scene/zone_storage.hpp"
 
@@ -56,6 +58,24 @@ void load_extra(const Hdf5Reader& file, Network& network, std::size_t n_cells, c
                     extra.first.back() == extra.cell.size() &&
                     std::all_of(extra.cell.begin(), extra.cell.end(), [&](auto c) { return c < n_cells; });
   if (!good) throw IoError(name, "the family lists do not hold together");
+}
+
+// Scales multiply what is gathered and divide what points see: positive.
+std::vector<double> load_scales(const Hdf5Reader& file, const std::string& path, std::size_t n,
+                                const std::string& name) {
+  auto scales = load_column(file, path, n);
+  if (!std::all_of(scales.begin(), scales.end(), [](double s) { return s > 0.0 && std::isfinite(s); }))
+    throw IoError(name, path + " is not positive");
+  return scales;
+}
+
+std::uint64_t load_seed(const Hdf5Reader& file, const std::string& name) {
+  const std::string text = file.text_attribute("/network", "seed");
+  std::uint64_t seed = 0;
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), seed);
+  if (result.ec != std::errc() || result.ptr != text.data() + text.size())
+    throw IoError(name, "its seed is not a number");
+  return seed;
 }
 
 PatchGrid load_patches(const Hdf5Reader& file, const std::string& prefix, const std::string& name) {
@@ -131,7 +151,7 @@ RaysFile load_rays(const std::string& path, const Job& job) {
   network.point_patches = load_patches(file, "point_", path);
   network.sampling =
       file.text_attribute("/network", "sampling") == "centre" ? Sampling::centre : Sampling::stratified;
-  network.seed = std::stoull(file.text_attribute("/network", "seed"));
+  network.seed = load_seed(file, path);
   network.imbalance = file.number_attribute("/network", "imbalance");
   network.n_escaped_rays = static_cast<std::uint64_t>(file.integer_attribute("/network", "escaped_rays"));
   network.n_back_rays = static_cast<std::uint64_t>(file.integer_attribute("/network", "back_rays"));
@@ -139,8 +159,8 @@ RaysFile load_rays(const std::string& path, const Job& job) {
   network.point_sinks =
       load_sinks(file, "/network/point_sinks", n_points, network.point_patches.n_patches(), n_cells, path);
   network.visible = load_column(file, "/network/visible", n_cells);
-  network.row_scale = load_column(file, "/network/row_scale", n_cells);
-  network.column_scale = load_column(file, "/network/column_scale", n_cells);
+  network.row_scale = load_scales(file, "/network/row_scale", n_cells, path);
+  network.column_scale = load_scales(file, "/network/column_scale", n_cells, path);
   network.point_back_fraction = load_column(file, "/network/point_back_fraction", n_points);
   load_extra(file, network, n_cells, path);
   return rays;

@@ -57,12 +57,15 @@ std::vector<Polygon> load_polygons(const Hdf5Reader& file, const std::string& gr
     std::vector<Ring2> rings;
     for (std::uint32_t r = 0; r < n_rings[i]; ++r, ++ring_at) {
       const std::size_t n = n_corners.at(ring_at);
+      if (n < 3) throw std::out_of_range("ring");
       Ring2 ring;
       for (std::size_t c = 0; c < n; ++c, ++corner_at)
         ring.push_back({local.at(2 * corner_at), local.at(2 * corner_at + 1)});
       rings.push_back(std::move(ring));
     }
+    if (rings.empty()) throw std::out_of_range("polygon");
     polygons.emplace_back(Frame{axis(0), axis(1), axis(2), axis(3)}, std::move(rings));
+    if (!(polygons.back().area_m2() > 0.0) || !is_finite(axis(0))) throw std::out_of_range("polygon");
   }
   return polygons;
 }
@@ -71,7 +74,11 @@ Json to_json(const Vec3& v) { return {v.x, v.y, v.z}; }
 Vec3 vec3(const Json& json) { return {json.at(0), json.at(1), json.at(2)}; }
 Json to_json(const SpectralCurve& curve) { return curve.points(); }
 SpectralCurve curve(const Json& json) {
-  return SpectralCurve(json.get<std::vector<std::pair<double, double>>>());
+  auto points = json.get<std::vector<std::pair<double, double>>>();
+  const auto not_after = [](const auto& a, const auto& b) { return !(a.first < b.first); };
+  if (points.empty() || std::adjacent_find(points.begin(), points.end(), not_after) != points.end())
+    throw std::out_of_range("curve");
+  return SpectralCurve(std::move(points));
 }
 
 Json finish_to_json(const Finish& finish) {
@@ -83,6 +90,7 @@ Json finish_to_json(const Finish& finish) {
                {"ior", to_json(finish.ior)},
                {"distribution", finish.distribution},
                {"transmittance", to_json(finish.transmittance)},
+               {"angular_law", finish.angular_law},
                {"angular_law", finish.angular_law},
                {"source", finish.source}};
   if (finish.extinction) json["extinction"] = to_json(*finish.extinction);
@@ -100,6 +108,7 @@ Finish finish_from_json(const Json& json) {
   finish.ior = curve(json.at("ior"));
   finish.distribution = json.at("distribution");
   finish.transmittance = curve(json.at("transmittance"));
+  finish.angular_law = json.value("angular_law", finish.angular_law);
   finish.angular_law = json.at("angular_law");
   finish.source = json.at("source");
   if (json.contains("extinction")) finish.extinction = curve(json["extinction"]);
@@ -210,13 +219,17 @@ void check(const Zone& zone, const std::string& path) {
       std::all_of(zone.surfaces.begin(), zone.surfaces.end(), [&](const Surface& surface) {
         return surface.finish >= 0 && within(surface.finish, zone.finishes.size()) &&
                within(surface.parent, zone.surfaces.size()) && within(surface.twin, zone.surfaces.size()) &&
-               (surface.grid || surface.cell_m > 0.0);
+               (surface.grid ? surface.grid->second > 0 : surface.cell_m > 0.0);
       });
+  const bool points_hold = std::all_of(
+      zone.points.begin(), zone.points.end(),
+      [](const MeasuringPoint& point) { return is_finite(point.position) && is_finite(point.normal); });
   const bool sets_hold =
       std::all_of(zone.point_sets.begin(), zone.point_sets.end(), [&](const PointSet& set) {
         return set.first <= zone.points.size() && set.count <= zone.points.size() - set.first;
       });
-  if (!surfaces_hold || !sets_hold) throw IoError(path, "the zone in this file does not hold together");
+  if (!surfaces_hold || !points_hold || !sets_hold)
+    throw IoError(path, "the zone in this file does not hold together");
 }
 
 }  // namespace
@@ -260,6 +273,8 @@ Zone load_zone(const Hdf5Reader& file, const std::string& path) {
   } catch (const nlohmann::json::exception&) {
     throw IoError(path, "the description of the zone in this file cannot be read");
   } catch (const std::out_of_range&) {
+    throw IoError(path, "the zone in this file does not hold together");
+  } catch (const InternalError&) {  // a polygon without area
     throw IoError(path, "the zone in this file does not hold together");
   }
   check(zone, path);

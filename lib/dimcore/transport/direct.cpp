@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "base/low_discrepancy.hpp"
+#include "transport/spherical_rectangle.hpp"
 
 namespace dim {
 namespace {
@@ -17,6 +18,10 @@ namespace {
 // two Gauss points an axis the error of 1/r^2 then stays below 1e-3.
 constexpr double kNear = 0.6;
 constexpr int kMaxNearHalvings = 48;
+// Between a cell and an opening with an extent, halving never ends where they touch: after this often, parts
+// that are still near are sampled by solid angle instead, with this many rays each.
+constexpr int kMaxPairHalvings = 10;
+constexpr int kCloseRays = 32;
 constexpr int kMaxHorizonHalvings = 4;
 // Rays that probe the visibility of a pair, and how many more where they disagree. Parts of a halved pair
 // share them. They are spread over cell and opening by chance, the same chance in every run: a fixed pattern
@@ -50,6 +55,7 @@ struct Receiver {
   bool whole;              // every point of the rectangle belongs to the cell
   int skip;                // plate it lies on
   std::uint64_t stream;    // its own chance
+  const Vec2* centroid;    // of the cell's clipped region; null for a measuring point
 };
 
 struct Sum {
@@ -85,10 +91,20 @@ class Integrator {
     Chance chance{LowDiscrepancy4(receiver.stream ^ stream_)};
     const Sum sum =
         is_faint(receiver, pair) ? faint(receiver, pair, chance) : integrate(receiver, pair, 0, 0, chance);
-    return sum.weight > 0.0 ? sum.value / sum.weight : 0.0;
+    return sum.weight > 0.0 ? sum.value / sum.weight : of_sliver(receiver, pair, chance);
   }
 
  private:
+  // Of a cell that none of the rays found: light at a point of it stands for all.
+  double of_sliver(const Receiver& receiver, const Part& pair, Chance& chance) const {
+    const Vec2& at = *receiver.centroid;
+    Receiver point = receiver;
+    point.polygon = nullptr;
+    point.whole = true;
+    return integrate(point, {Interval{at.x, at.x}, Interval{at.y, at.y}, pair[2], pair[3]}, 0, 0, chance)
+        .value;
+  }
+
   Vec3 on_opening(double s, double t) const {
     return luminaire_.at + luminaire_.to_world(sample(luminaire_.opening, {s, t}));
   }
@@ -177,8 +193,11 @@ class Integrator {
 
   Sum integrate(const Receiver& receiver, const Part& part, int near_halvings, int horizon_halvings,
                 Chance& chance) const {
-    if (near_halvings < kMaxNearHalvings && near(receiver, part))
+    if (near_halvings < kMaxNearHalvings && near(receiver, part)) {
+      const bool pair = receiver.polygon != nullptr && opening_m_ != Vec2(0.0);
+      if (pair && near_halvings == kMaxPairHalvings) return close(receiver, part, chance);
       return halves(receiver, part, near_halvings + 1, horizon_halvings, chance);
+    }
     const Smooth expected = smooth(receiver, part);
     if (expected.horizon && horizon_halvings < kMaxHorizonHalvings)
       return halves(receiver, part, near_halvings, horizon_halvings + 1, chance);
@@ -227,6 +246,28 @@ class Integrator {
     const double weight = static_cast<double>(sum.n_inside) / sum.n;
     if (!receiver.whole) return {weight, sum.visible / sum.n};
     return {1.0, sum.lit > 0.0 ? expected.mean * sum.visible / sum.lit : 0.0};
+  }
+
+  // Light from points of the opening into the solid angle that the part of the cell fills: stays finite, and
+  // keeps its flux, however small the distance.
+  Sum close(const Receiver& receiver, const Part& part, Chance& chance) const {
+    const Vec2 low(part[0].low, part[1].low), high(part[0].high, part[1].high);
+    Sum sum;
+    for (int i = 0; i < kCloseRays; ++i) {
+      const auto x = chance.draw();
+      if (receiver.whole || receiver.polygon->contains({part[0].at(x[0]), part[1].at(x[1])}))
+        sum.weight += 1.0 / kCloseRays;
+      const Vec3 q = on_opening(part[2].at(x[2]), part[3].at(x[3]));
+      const SphericalRectangle seen(*receiver.frame, low, high, q);
+      if (!(seen.solid_angle_sr() > 0.0)) continue;
+      const Vec2 local = seen.sample(x[0], x[1]);
+      if (!receiver.whole && !receiver.polygon->contains(local)) continue;
+      const Vec3 p = receiver.frame->to_world(local);
+      const double cd = fitting_.intensity.at(luminaire_.to_local(p - q));
+      if (cd > 0.0 && !caster_.blocked(p, q, receiver.skip)) sum.value += cd * seen.solid_angle_sr();
+    }
+    sum.value /= kCloseRays * part[0].length() * part[1].length();
+    return sum;
   }
 
   const RayCaster& caster_;
@@ -281,7 +322,8 @@ DirectLight direct_light(const Zone& zone, const Cells& cells, const Lights& lig
       const auto surface = cells.surface_of(i);
       const auto& polygon = zone.surfaces[surface].polygon;
       const GridCell& cell = cells[i];
-      const Receiver receiver{&polygon.frame(), &polygon, cell.whole, static_cast<int>(surface), mix(i)};
+      const Receiver receiver{&polygon.frame(),          &polygon, cell.whole,
+                              static_cast<int>(surface), mix(i),   &cell.centroid};
       add_all(receiver, whole_pair(cell.low, cell.high), &result.cell_lx[i * n_sources]);
     }
   });
@@ -290,7 +332,7 @@ DirectLight direct_light(const Zone& zone, const Cells& cells, const Lights& lig
     if (job.stopped()) return;
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       const Frame frame = frame_at(zone.points[i]);
-      add_all({&frame, nullptr, true, -1, mix(~i)}, whole_pair(Vec2(0.0), Vec2(0.0)),
+      add_all({&frame, nullptr, true, -1, mix(~i), nullptr}, whole_pair(Vec2(0.0), Vec2(0.0)),
               &result.point_lx[i * n_sources]);
     }
   });

@@ -57,10 +57,12 @@ End end_of(const Vec3& o, const Vec3& d, const Slabs& room, const std::vector<Sl
 TEST_CASE("Furnished room: direct flux of each surface equals a count of rays", "[transport][validation]") {
   const Zone zone = furnished_room(0.0, 0.25);
   const Slabs room{{-3, -2, -1.4}, {3, 2, 1.4}};
-  const std::vector<Slabs> boxes = {{{-1, -1, -0.7}, {0.6, -0.2, -0.65}}, {{2.2, 0.5, -1.2}, {2.8, 1.9, 0.4}}};
+  const std::vector<Slabs> boxes = {{{-1, -1, -0.7}, {0.6, -0.2, -0.65}},
+                                    {{2.2, 0.5, -1.2}, {2.8, 1.9, 0.4}}};
   Lights lights;
   add_lamp(lights, "point", {-1.8, 1.1, 0.9}, IntensityTable::isotropic(100.0));
-  add_lamp(lights, "panel", {0.5, 0.2, 1.35}, IntensityTable::lambertian(400.0), {.opening = rectangle(1.2, 0.3)});
+  add_lamp(lights, "panel", {0.5, 0.2, 1.35}, IntensityTable::lambertian(400.0),
+           {.opening = rectangle(1.2, 0.3)});
   add_lamp(lights, "lamp", {-0.3, -0.6, -0.2}, IntensityTable::lambertian(50.0),
            {.aim = {0.2, 0.1, -1}, .opening = {OpeningShape::kEllipse, 0.2, 0.2, 0.0}});
   const Cells cells(zone);
@@ -80,7 +82,8 @@ TEST_CASE("Furnished room: direct flux of each surface equals a count of rays", 
       const Vec3 d = lamp.to_world({sine * std::cos(turn), sine * std::sin(turn), cosine});
       Vec2 q(unit(random) - 0.5, unit(random) - 0.5);
       while (l == 2 && glm::dot(q, q) > 0.25) q = {unit(random) - 0.5, unit(random) - 0.5};
-      const Vec3 from = lamp.at + lamp.c0 * q.x * lamp.opening.length_m + lamp.c90 * q.y * lamp.opening.width_m;
+      const Vec3 from =
+          lamp.at + lamp.c0 * q.x * lamp.opening.length_m + lamp.c90 * q.y * lamp.opening.width_m;
       share[static_cast<std::size_t>(end_of(from, d, room, boxes).surface)] += 1.0 / kRays;
     }
     double sum_lm = 0.0;
