@@ -152,7 +152,8 @@ TEST_CASE("What is received is absorbed, escapes or is dropped", "[gather][unit]
   const auto direct = uneven(Cells(zone).size());
   for (const double tolerance : {0.1, 1e-3, 1e-12}) {
     const auto report = gather_one(zone, network, direct, {.tolerance = tolerance}).columns[0];
-    CHECK(report.absorbed + report.escaped + report.dropped == Approx(report.received).epsilon(1e-12));
+    CHECK(report.absorbed + report.escaped + report.dropped ==
+          Approx(report.received).epsilon(1e-12 + 10.0 * network.imbalance));
     CHECK(report.received == Approx(total(Cells(zone), direct)).epsilon(1e-12));
     CHECK((report.escaped > 0.0) == network.is_open());
     // Dropped is what is still on its way and what rows and columns of the network disagree on.

@@ -81,6 +81,10 @@ class Integrator {
         n_probe_rays_(n_probe_rays),
         stream_(mix(stream)) {
     faint_ = luminaire.factor > 0.0 ? faint_lx / luminaire.factor : 0.0;
+    // A beam must not fall between the points: parts are to be small against its width, too.
+    const auto& beam = fitting.intensity;
+    if (beam.max_cd() > 0.0)
+      near_ = std::clamp(0.6 * std::sqrt(beam.flux_lm() / (kPi * beam.max_cd())), 0.05, kNear);
     if (largest_dimension_m(luminaire.opening) > 0.0)
       opening_m_ = {luminaire.opening.length_m, luminaire.opening.width_m};
   }
@@ -188,7 +192,8 @@ class Integrator {
     const auto side = sides_m(part);
     const double size_m = std::hypot(side[0], side[1]) + std::hypot(side[2], side[3]);
     const Vec3 p = receiver.frame->to_world({part[0].middle(), part[1].middle()});
-    return size_m > kNear * glm::length(p - on_opening(part[2].middle(), part[3].middle()));
+    const double limit = receiver.polygon ? near_ : near_ / 2.0;
+    return size_m > limit * glm::length(p - on_opening(part[2].middle(), part[3].middle()));
   }
 
   Sum integrate(const Receiver& receiver, const Part& part, int near_halvings, int horizon_halvings,
@@ -258,6 +263,8 @@ class Integrator {
       if (receiver.whole || receiver.polygon->contains({part[0].at(x[0]), part[1].at(x[1])}))
         sum.weight += 1.0 / kCloseRays;
       const Vec3 q = on_opening(part[2].at(x[2]), part[3].at(x[3]));
+      // In the plane of the cell there is nothing to see of it but rounding.
+      if (receiver.frame->height(q) <= caster_.tolerance_m()) continue;
       const SphericalRectangle seen(*receiver.frame, low, high, q);
       if (!(seen.solid_angle_sr() > 0.0)) continue;
       const Vec2 local = seen.sample(x[0], x[1]);
@@ -277,6 +284,7 @@ class Integrator {
   std::uint64_t stream_;
   Vec2 opening_m_{0.0};
   double faint_ = 0.0;
+  double near_ = kNear;
 };
 
 double total_area_m2(const Zone& zone) {
