@@ -187,7 +187,9 @@ TEST_CASE("A grey room gives the same illuminance with any number of bands", "[s
     const auto many = solve(zone, lights, network, options);
     CHECK(many.n_reflectance_classes == 1);
     for (std::size_t s = 0; s < 3; ++s) {
-      CHECK(worst_difference(cell_lx(many, s), cell_lx(one, s)) < 1e-6);
+      // Stored in single precision: one rounding, 6e-8, in each.
+      const auto many_lx = cell_lx(many, s), one_lx = cell_lx(one, s);
+      for (std::size_t i = 0; i < one_lx.size(); ++i) REQUIRE(many_lx[i] == Approx(one_lx[i]).epsilon(2e-7));
       CHECK(worst_difference(point_lx(many, s), point_lx(one, s)) < 1e-6);
     }
   }
