@@ -146,9 +146,9 @@ Raster render_view(const LuminanceDatabase& database, const Cells& cells, const 
   raster.scalar.resize(raster.n_pixels());
   const Renderer renderer(database, cells, mix, options);
   tbb::parallel_for(tbb::blocked_range<int>(0, raster.height, 4), [&](const auto& rows) {
-    if (job.stopped()) return;
     for (int y = rows.begin(); y != rows.end(); ++y) {
       for (int x = 0; x < raster.width; ++x) {
+        if (job.stopped()) return;
         const Pixel pixel = renderer.pixel(x, y);
         const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(raster.width) +
                         static_cast<std::size_t>(x);
