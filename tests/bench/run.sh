@@ -28,7 +28,7 @@ converged() {
   [ -s "$work/$name.csv" ] && return
   case $name in
     office) options=(--cell 0.1 --patches 64x128 --point-patches 128x256) ;;
-    openplan) options=(--patches 32x64 --point-patches 64x128) ;;
+    openplan) options=(--cell 0.25 --patches 16x32 --point-patches 64x128) ;;
     *) options=(--cell 0.1 --patches 64x128 --point-patches 128x256) ;;
   esac
   echo "bench: converged run of $name ${options[*]}" >&2

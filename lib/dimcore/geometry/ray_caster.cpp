@@ -133,7 +133,8 @@ RayCaster::RayCaster(std::vector<Plate> plates, double diameter_m) : scene_(std:
                               plate.polygon->size_m(), plate.polygon,
                               plate.polygon->is_rectangle() || plate.fills_rectangle, plate.open_back});
   }
-  scene_->device = rtcNewDevice("threads=1,set_affinity=0");
+  // Without a number of threads: one given would hold for the whole program, not for building the tree only.
+  scene_->device = rtcNewDevice("set_affinity=0");
   if (!scene_->device) throw InternalError("the ray casting library did not start");
   scene_->scene = rtcNewScene(scene_->device);
   rtcSetSceneFlags(scene_->scene, RTC_SCENE_FLAG_ROBUST);
