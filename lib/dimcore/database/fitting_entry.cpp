@@ -6,6 +6,21 @@
 #include "spectrum/bands.hpp"
 
 namespace dim {
+namespace {
+
+constexpr NumberRange kFactor{0.0, 1e6, true, false};
+constexpr NumberRange kMaintenance{0.0, 1.0, true, false};
+
+}  // namespace
+
+void apply_factors(const FittingEntry& entry, Photometry& photometry) {
+  double factor = entry.lamp_factor * entry.maintenance_factor;
+  if (entry.lumens && photometry.flux_lm > 0.0) factor *= *entry.lumens / photometry.flux_lm;
+  if (factor == 1.0) return;
+  for (double& cd : photometry.distribution.intensity_cd) cd *= factor;
+  photometry.flux_lm *= factor;
+  photometry.max_cd *= factor;
+}
 
 void read_spectrum_key(const TomlTable& table, std::optional<SpectralCurve>& spectrum,
                        std::string& spectrum_name) {
@@ -36,6 +51,8 @@ FittingEntry read_fitting_entry(std::string_view text, const std::string& file, 
   entry.file_place = table.place("file");
   entry.watts = table.number("watts", kPositive);
   entry.lumens = table.number("lumens", kPositive);
+  entry.lamp_factor = table.number_or("lamp_factor", kFactor, 1.0);
+  entry.maintenance_factor = table.number_or("maintenance_factor", kMaintenance, 1.0);
   read_spectrum_key(table, entry.spectrum, entry.spectrum_name);
   entry.title = table.text("title").value_or("");
   entry.source = table.text("source").value_or("");

@@ -215,6 +215,8 @@ class LightsReader {
       return table.problem(
           "name", fmt::format("the name '{}' is used twice, first at line {}", luminaire.name, it->second));
     luminaire.at = frame_.to_zone(at);
+    if (const auto& tilt = shelf_[luminaire.fitting].tilt)
+      luminaire.factor *= tilt_factor(*tilt, std::acos(std::clamp(-luminaire.aim.z, -1.0, 1.0)));
     for (int axis = 0; axis < 3; ++axis) {
       if (luminaire.at[axis] >= bounds_.low[axis] - slack_m_ &&
           luminaire.at[axis] <= bounds_.high[axis] + slack_m_)
