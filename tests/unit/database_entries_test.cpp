@@ -6,6 +6,7 @@
 #include "database/fitting_entry.hpp"
 #include "database/search.hpp"
 #include "database/surface_entry.hpp"
+#include "spectrum/named_spectra.hpp"
 
 using namespace dim;
 
@@ -111,7 +112,8 @@ TEST_CASE("A fitting entry names its file beside itself", "[database][unit]") {
   CHECK(entry.watts == 33);
   CHECK(entry.lumens == 3500);
   CHECK(entry.spectrum_name == "led-4000");
-  CHECK_FALSE(entry.spectrum.has_value());
+  REQUIRE(entry.spectrum.has_value());
+  CHECK(entry.spectrum->points() == find_spectrum("led-4000").points());
   CHECK(entry.source == "made up");
   const FittingEntry own =
       read_fitting_entry("file = \"t.ies\"\nspectrum = [[400, 1], [700, 2]]\n", "t.toml", "t");

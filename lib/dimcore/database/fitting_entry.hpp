@@ -18,20 +18,21 @@ struct FittingEntry {
   std::optional<double> watts;   ///< > 0
   std::optional<double> lumens;  ///< luminaire flux that the intensities are scaled to, > 0
   std::optional<SpectralCurve> spectrum;  ///< relative
-  std::string spectrum_name;              ///< where the entry names a spectrum instead of giving it
+  std::string spectrum_name;              ///< where the entry names it instead of writing it out
   std::string source;
   std::string licence;
   Place file_place;  ///< of the photometric file's name in the entry
 };
 
 /// Reads the text of an entry: `file` (required), `watts`, `lumens`, `spectrum` ([[nm, value], ...] or a
-/// name), `source`, `licence`, `title`, `note`; `dim = "fitting/1"` may begin it.
+/// name that find_spectrum knows), `source`, `licence`, `title`, `note`; `dim = "fitting/1"` may begin it.
 /// @throws InputError with every problem of the entry
 FittingEntry read_fitting_entry(std::string_view text, const std::string& file, const std::string& name);
 
 class TomlTable;
 
-/// A `spectrum` key: a curve, or a name left in `spectrum_name`. A curve without any light is reported.
+/// A `spectrum` key: a curve, or a name (see find_spectrum), which is left in `spectrum_name` as well.
+/// Unknown names and curves without any light are reported.
 void read_spectrum_key(const TomlTable& table, std::optional<SpectralCurve>& spectrum,
                        std::string& spectrum_name);
 
