@@ -4,6 +4,7 @@
 
 #include "scene/lights_reader.hpp"
 #include "scene_support.hpp"
+#include "spectrum/named_spectra.hpp"
 
 using namespace dim;
 using namespace dim::test;
@@ -186,11 +187,20 @@ TEST_CASE("A spectrum of its own makes a fitting of its own", "[scene][lights][u
   const Fitting& second = result.fittings[static_cast<std::size_t>(result.luminaires[1].fitting)];
   CHECK(second.has_spectrum);
   CHECK(second.spectrum.at(550) == Approx(1.5));
+}
+
+TEST_CASE("A spectrum by name is that spectrum; an unknown name is an error", "[scene][lights][unit]") {
   Warnings warnings;
-  lights(one("fitting = \"a.ies\"\nat = [1,1,2.5]\nspectrum = \"led-4000\""), {}, &warnings);
-  REQUIRE(warnings.size() == 1);
-  CHECK(warnings[0].what ==
-        "spectrum 'led-4000' is not read in this version: it counts as equal-energy white");
+  const std::string lamp = "fitting = \"a.ies\"\nat = [1,1,2.5]\n";
+  const Lights result = lights(one(lamp + "spectrum = \"led-b3\""), {}, &warnings);
+  CHECK(warnings.empty());
+  const Fitting& fitting = result.fittings[static_cast<std::size_t>(result.luminaires[0].fitting)];
+  CHECK(fitting.has_spectrum);
+  CHECK(fitting.spectrum_name == "led-b3");
+  CHECK(fitting.spectrum.points() == find_spectrum("led-b3").points());
+  check_one(light_problems(one(lamp + "spectrum = \"led-b33\"")),
+            "lamps/lights.toml:6:12: luminaire 'A1': no spectrum is called 'led-b33'\n        did you mean "
+            "'led-b3'?");
 }
 
 TEST_CASE("A recessed luminaire in the ceiling is fine, a bare bulb on it is warned of",

@@ -4,6 +4,7 @@
 
 #include "database/toml_reader.hpp"
 #include "spectrum/bands.hpp"
+#include "spectrum/named_spectra.hpp"
 
 namespace dim {
 namespace {
@@ -27,7 +28,14 @@ void read_spectrum_key(const TomlTable& table, std::optional<SpectralCurve>& spe
   const auto* node = table.node("spectrum");
   if (!node) return;
   if (node->is_string()) {
-    if (auto name = table.name("spectrum")) spectrum_name = std::move(*name);
+    const auto name = table.name("spectrum");
+    if (!name) return;
+    try {
+      spectrum = find_spectrum(*name);
+      spectrum_name = *name;
+    } catch (const InputError& error) {
+      for (const auto& problem : error.problems()) table.problem("spectrum", problem.what, problem.cure);
+    }
     return;
   }
   auto curve = table.curve("spectrum", kNotNegative);

@@ -21,15 +21,15 @@ struct FittingEntry {
   double lamp_factor = 1.0;         ///< flux of the lamps used over that of the lamps measured, > 0
   double maintenance_factor = 1.0;  ///< flux in use over flux when new, 0..1, above 0
   std::optional<SpectralCurve> spectrum;  ///< relative
-  std::string spectrum_name;              ///< where the entry names a spectrum instead of giving it
+  std::string spectrum_name;              ///< where the entry names it instead of writing it out
   std::string source;
   std::string licence;
   Place file_place;  ///< of the photometric file's name in the entry
 };
 
 /// Reads the text of an entry: `file` (required), `watts`, `lumens`, `lamp_factor`, `maintenance_factor`,
-/// `spectrum` ([[nm, value], ...] or a name), `source`, `licence`, `title`, `note`; `dim = "fitting/1"` may
-/// begin it.
+/// `spectrum` ([[nm, value], ...] or a name that find_spectrum knows), `source`, `licence`,
+/// `title`, `note`; `dim = "fitting/1"` may begin it.
 /// @throws InputError with every problem of the entry
 FittingEntry read_fitting_entry(std::string_view text, const std::string& file, const std::string& name);
 
@@ -38,7 +38,8 @@ void apply_factors(const FittingEntry& entry, Photometry& photometry);
 
 class TomlTable;
 
-/// A `spectrum` key: a curve, or a name left in `spectrum_name`. A curve without any light is reported.
+/// A `spectrum` key: a curve, or a name (see find_spectrum), which is left in `spectrum_name` as well.
+/// Unknown names and curves without any light are reported.
 void read_spectrum_key(const TomlTable& table, std::optional<SpectralCurve>& spectrum,
                        std::string& spectrum_name);
 

@@ -49,15 +49,14 @@ int FittingShelf::ideal(const std::string& kind) {
   return add(key, {kind, std::move(intensity), {}, flux_lm, SpectralCurve(1.0), false, "", 0.0, {}});
 }
 
-int FittingShelf::with_spectrum(int fitting, const std::string& key,
-                                const std::optional<SpectralCurve>& spectrum,
+int FittingShelf::with_spectrum(int fitting, const std::string& key, const SpectralCurve& spectrum,
                                 const std::string& spectrum_name) {
   const std::string whole_key = fmt::format("{} spectrum {}", fitting, key);
   const auto known = index_.find(whole_key);
   if (known != index_.end()) return known->second;
   Fitting copy = (*this)[fitting];
-  copy.has_spectrum = spectrum.has_value();
-  copy.spectrum = spectrum.value_or(SpectralCurve(1.0));
+  copy.has_spectrum = true;
+  copy.spectrum = spectrum;
   copy.spectrum_name = spectrum_name;
   return add(whole_key, std::move(copy));
 }

@@ -34,7 +34,7 @@ class FittingShelf {
   int ideal(const std::string& kind);
 
   /// Index of the same fitting with another spectrum; `key` tells spectra apart.
-  int with_spectrum(int fitting, const std::string& key, const std::optional<SpectralCurve>& spectrum,
+  int with_spectrum(int fitting, const std::string& key, const SpectralCurve& spectrum,
                     const std::string& spectrum_name);
 
   const Fitting& operator[](int i) const { return fittings_[static_cast<std::size_t>(i)]; }

@@ -23,7 +23,7 @@ struct Fitting {
   double flux_lm = 0.0;         ///< integral of `intensity`
   SpectralCurve spectrum{1.0};  ///< relative; equal-energy where the entry says nothing
   bool has_spectrum = false;
-  std::string spectrum_name;     ///< a spectrum asked for by name, not read: counts as equal-energy
+  std::string spectrum_name;     ///< where the spectrum was asked for by name
   double watts = 0.0;            ///< 0 where not known
   std::optional<LampTilt> tilt;  ///< how the lamps' output changes with the luminaire's position
 };
