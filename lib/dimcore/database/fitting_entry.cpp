@@ -24,14 +24,14 @@ void apply_factors(const FittingEntry& entry, Photometry& photometry) {
 }
 
 void read_spectrum_key(const TomlTable& table, std::optional<SpectralCurve>& spectrum,
-                       std::string& spectrum_name) {
+                       std::string& spectrum_name, SpectrumNames names) {
   const auto* node = table.node("spectrum");
   if (!node) return;
   if (node->is_string()) {
     const auto name = table.name("spectrum");
     if (!name) return;
     try {
-      spectrum = find_spectrum(*name);
+      if (names == SpectrumNames::find) spectrum = find_spectrum(*name);
       spectrum_name = *name;
     } catch (const InputError& error) {
       for (const auto& problem : error.problems()) table.problem("spectrum", problem.what, problem.cure);
@@ -46,7 +46,8 @@ void read_spectrum_key(const TomlTable& table, std::optional<SpectralCurve>& spe
     table.problem("spectrum", "spectrum is zero at every visible wavelength (380..780 nm)");
 }
 
-FittingEntry read_fitting_entry(std::string_view text, const std::string& file, const std::string& name) {
+FittingEntry read_fitting_entry(std::string_view text, const std::string& file, const std::string& name,
+                                SpectrumNames names) {
   const toml::table root = parse_toml(text, file, {"fitting", 1, false, {}});
   Problems problems;
   TomlContext context{file, problems};
@@ -61,7 +62,7 @@ FittingEntry read_fitting_entry(std::string_view text, const std::string& file, 
   entry.lumens = table.number("lumens", kPositive);
   entry.lamp_factor = table.number_or("lamp_factor", kFactor, 1.0);
   entry.maintenance_factor = table.number_or("maintenance_factor", kMaintenance, 1.0);
-  read_spectrum_key(table, entry.spectrum, entry.spectrum_name);
+  read_spectrum_key(table, entry.spectrum, entry.spectrum_name, names);
   entry.title = table.text("title").value_or("");
   entry.source = table.text("source").value_or("");
   entry.licence = table.text("licence").value_or("");

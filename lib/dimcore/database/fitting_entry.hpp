@@ -27,11 +27,15 @@ struct FittingEntry {
   Place file_place;  ///< of the photometric file's name in the entry
 };
 
+/// Whether a spectrum's name is looked up, which takes milliseconds, or only kept.
+enum class SpectrumNames { find, keep };
+
 /// Reads the text of an entry: `file` (required), `watts`, `lumens`, `lamp_factor`, `maintenance_factor`,
 /// `spectrum` ([[nm, value], ...] or a name that find_spectrum knows), `source`, `licence`,
 /// `title`, `note`; `dim = "fitting/1"` may begin it.
 /// @throws InputError with every problem of the entry
-FittingEntry read_fitting_entry(std::string_view text, const std::string& file, const std::string& name);
+FittingEntry read_fitting_entry(std::string_view text, const std::string& file, const std::string& name,
+                                SpectrumNames names = SpectrumNames::find);
 
 /// Scales intensities, flux and largest intensity to the entry's lumens, then by its factors.
 void apply_factors(const FittingEntry& entry, Photometry& photometry);
@@ -41,6 +45,6 @@ class TomlTable;
 /// A `spectrum` key: a curve, or a name (see find_spectrum), which is left in `spectrum_name` as well.
 /// Unknown names and curves without any light are reported.
 void read_spectrum_key(const TomlTable& table, std::optional<SpectralCurve>& spectrum,
-                       std::string& spectrum_name);
+                       std::string& spectrum_name, SpectrumNames names = SpectrumNames::find);
 
 }  // namespace dim
