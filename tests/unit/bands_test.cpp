@@ -47,8 +47,12 @@ TEST_CASE("A curve's mean is exact for straight lines and constant beyond its en
   CHECK(SpectralCurve(0.3).is_flat());
 }
 
-TEST_CASE("The product of two ramps integrates to the cubic's exact value", "[spectrum][unit]") {
-  const SpectralCurve ramp({{0, 0.0}, {600, 600.0}});
-  CHECK(integral_of_product(ramp, ramp, 400, 500) ==
-        Approx((500.0 * 500 * 500 - 400.0 * 400 * 400) / 3).epsilon(1e-14));
+TEST_CASE("Bands share out what lies across an edge; a narrow line is not missed", "[spectrum][unit]") {
+  // A line of 1 nm half width between two of the wavelengths that are summed: all its power, its own colour.
+  const SpectralCurve line({{553, 0}, {554, 1}, {555, 0}});
+  const auto whole = band_weights(line, Bands{});
+  CHECK(whole.y[0] == Approx(cie_1931_observer().y.at(555)).epsilon(1e-12));
+  const auto split = band_weights(SpectralCurve(1.0), Bands{{380, 503, 780}});
+  CHECK(split.share[0] == Approx(123.0 / 400).epsilon(1e-12));
+  CHECK(on_lattice(line)[35] == Approx(1.0 / 5).epsilon(1e-12));
 }

@@ -6,6 +6,7 @@
 #include "database/fitting_entry.hpp"
 #include "database/search.hpp"
 #include "database/surface_entry.hpp"
+#include "spectrum/named_spectra.hpp"
 
 using namespace dim;
 
@@ -79,6 +80,73 @@ TEST_CASE("Surface entries that cannot be are refused", "[database][unit]") {
   CHECK(message_of("diffuse = []\n").starts_with("oak.toml:1:11: diffuse is empty"));
 }
 
+TEST_CASE("Spectra that cannot be are refused with value, range and cure", "[database][unit]") {
+  const auto starts = [](const std::string& text, const std::string& wanted) {
+    const std::string message = message_of(text);
+    CAPTURE(message, wanted);
+    CHECK(message.starts_with(wanted));
+  };
+  const std::string at = "oak.toml:1:";
+  starts("diffuse = [[380, 0.2], [550, 14], [780, 0.3]]\n",
+         at + "30: diffuse must be at least 0 and less than 1, not 14 at 550 nm\n        in percent? write "
+              "0.014");
+  starts("diffuse = [[380, 0.2], [780, -0.1]]\n",
+         at + "30: diffuse must be at least 0 and less than 1, not -0.1 at 780 nm");
+  starts("diffuse = 84\n",
+         at + "11: diffuse must be at least 0 and less than 1, not 84\n        in percent? write 0.84");
+  starts(
+      "diffuse = [[380, 20], [780, 30]]\n",
+      at + "18: diffuse must be at least 0 and less than 1, not 20 at 380 nm\n        in percent? write 0.2");
+  starts(
+      "diffuse = [[0.38, 0.2], [0.78, 0.3]]\n",
+      at + "12: diffuse: wavelengths run from 0.38 to 0.78 nm, which no eye sees\n        in micrometres?");
+  starts("diffuse = [[3800, 0.2], [7800, 0.3]]\n",
+         at + "12: diffuse: wavelengths run from 3800 to 7800 nm, which no eye sees\n        in angstroms?");
+  starts("diffuse = [[900, 0.2], [2500, 0.3]]\n",
+         at + "12: diffuse: wavelengths run from 900 to 2500 nm, outside the visible range of 380 to 780 nm");
+  starts("diffuse = [[-380, 0.2], [780, 0.3]]\n", at + "12: diffuse: wavelengths must be greater than 0 nm");
+  starts("diffuse = [[500, 0.2], [480, 0.3]]\n",
+         at + "24: diffuse: wavelengths must ascend, 480 nm follows 500 nm");
+  starts("diffuse = [[500, 0.2], [500, 0.3]]\n",
+         at + "24: diffuse: wavelengths must ascend, 500 nm follows 500 nm");
+  starts("diffuse = [[500, 0.2]]\n",
+         at + "12: diffuse: a single point is no spectrum\n        write 0.2 alone");
+  starts("diffuse = [[400, 0.2], [500, nan]]\n", at + "30: diffuse must be finite, not nan");
+  starts("diffuse = [[400, 0.2, 1], [500, 0.3]]\n", at + "12: diffuse must be 2 numbers, not 3");
+  starts("diffuse = [0.2, 0.3]\n", at + "12: diffuse must be 2 numbers, not a number");
+  // 10 nm apart but for 490..590 nm.
+  starts(
+      "diffuse = "
+      "[[450,0.1],[460,0.1],[470,0.1],[480,0.1],[490,0.1],[590,0.4],[600,0.4],[610,0.4],[620,0.4]]\n",
+      at + "52: diffuse: no value between 490 and 590 nm, where the points are otherwise 10 nm apart");
+}
+
+TEST_CASE("Sparse and line spectra have no gaps", "[database][unit]") {
+  // A step filter: as many points as it needs.
+  CHECK(message_of("diffuse = [[380,0.1],[500,0.1],[520,0.6],[780,0.7]]\n").empty());
+  // Three lines: dark between them, close points within.
+  CHECK(message_of(
+            "diffuse = [[434,0],[436,0.5],[438,0],[544,0],[546,0.5],[548,0],[610,0],[612,0.5],[614,0]]\n")
+            .empty());
+}
+
+TEST_CASE("Shine out of range is refused with value and range", "[database][unit]") {
+  const std::string base = "diffuse = 0.3\n";
+  CHECK(message_of(base + "specular = 1.2\n") == "oak.toml:2:12: specular must be 0 to 1, not 1.2");
+  CHECK(message_of(base + "specular = -0.1\n") == "oak.toml:2:12: specular must be 0 to 1, not -0.1");
+  CHECK(message_of(base + "roughness = -0.1\n") == "oak.toml:2:13: roughness must be 0 to 10, not -0.1");
+  CHECK(message_of(base + "ior = 0.9\n") ==
+        "oak.toml:2:7: ior must be at least 1 where there is no extinction, not 0.9\n        give the "
+        "extinction "
+        "of a metal beside its ior");
+  CHECK(message_of(base + "ior = 0\n") == "oak.toml:2:7: ior must be greater than 0 and at most 100, not 0");
+  CHECK(message_of(base + "extinction = -1\n") == "oak.toml:2:14: extinction must be 0 to 100, not -1");
+  // Silver.
+  const Finish silver =
+      read_surface_entry("diffuse = 0\nspecular = 1\nior = 0.06\nextinction = 3.6\n", "s", "s");
+  CHECK(silver.ior.at(550) == 0.06);
+}
+
 TEST_CASE("Folders are searched in order, names listed once", "[database][unit]") {
   const Folder folder;
   folder.write("first/surfaces/oak.toml", "diffuse = 0.3\n");
@@ -111,7 +179,8 @@ TEST_CASE("A fitting entry names its file beside itself", "[database][unit]") {
   CHECK(entry.watts == 33);
   CHECK(entry.lumens == 3500);
   CHECK(entry.spectrum_name == "led-4000");
-  CHECK_FALSE(entry.spectrum.has_value());
+  REQUIRE(entry.spectrum.has_value());
+  CHECK(entry.spectrum->points() == find_spectrum("led-4000").points());
   CHECK(entry.source == "made up");
   const FittingEntry own =
       read_fitting_entry("file = \"t.ies\"\nspectrum = [[400, 1], [700, 2]]\n", "t.toml", "t");

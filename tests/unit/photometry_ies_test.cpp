@@ -1,5 +1,5 @@
 #include "catch.hpp"
-#include "photometry/ies.hpp"
+#include "photometry/photometry_file.hpp"
 
 namespace {
 
@@ -11,7 +11,7 @@ std::string corpus(const std::string& name) {
 }
 
 dim::Photometry read(const std::string& name, dim::Warnings& warnings) {
-  return dim::read_ies_file(corpus(name), warnings);
+  return dim::read_photometric_file(corpus(name), warnings);
 }
 
 dim::Photometry read(const std::string& name) {
@@ -109,8 +109,6 @@ const Refused kRefused[] = {
     {"bad_type.ies", 5, "photometric type 7 is not a whole number within 1..3"},
     {"bad_decimal_comma.ies", 5, "number of vertical angles 0 is not a whole number"},
     {"bad_tilt_geometry.ies", 5, "TILT lamp-to-luminaire geometry 9 is not"},
-    {"type_a.ies", 5, "photometric type 3 (type A) is not supported"},
-    {"type_b.ies", 5, "photometric type 2 (type B) is not supported"},
 };
 
 }  // namespace
@@ -252,8 +250,8 @@ TEST_CASE("All negative candelas of a file are reported together", "[photometry]
 
 TEST_CASE("Missing files, folders and oversized files are refused", "[photometry][unit]") {
   dim::Warnings warnings;
-  CHECK_THROWS_AS(dim::read_ies_file(corpus("not_there.ies"), warnings), dim::IoError);
-  CHECK_THROWS_AS(dim::read_ies_file(corpus(""), warnings), dim::IoError);
+  CHECK_THROWS_AS(dim::read_photometric_file(corpus("not_there.ies"), warnings), dim::IoError);
+  CHECK_THROWS_AS(dim::read_photometric_file(corpus(""), warnings), dim::IoError);
   const std::string line(dim::kMaxPhotometryBytes + 1, '1');
   CHECK_THROWS_AS(dim::read_ies(line, "big.ies", warnings), dim::InputError);
   const std::string widest = "TILT=NONE\n" + std::string(dim::kMaxPhotometryBytes - 10, '1');
@@ -263,15 +261,15 @@ TEST_CASE("Missing files, folders and oversized files are refused", "[photometry
 TEST_CASE("The fittings shipped with the program emit what their names say", "[photometry][unit]") {
   const std::string folder = std::string(DIM_SOURCE_DIR) + "/db/fittings/";
   dim::Warnings warnings;
-  const auto troffer = dim::read_ies_file(folder + "troffer-3600.ies", warnings);
+  const auto troffer = dim::read_photometric_file(folder + "troffer-3600.ies", warnings);
   CHECK(troffer.flux_lm == Approx(3600.0).epsilon(1e-4));
   CHECK(troffer.watts == 33.0);
   CHECK(dim::area_m2(troffer.opening) == Approx(0.596 * 0.596));
-  const auto batten = dim::read_ies_file(folder + "batten-5200.ies", warnings);
+  const auto batten = dim::read_photometric_file(folder + "batten-5200.ies", warnings);
   CHECK(batten.flux_lm == Approx(5200.0).epsilon(1e-4));
   CHECK(batten.opening.length_m == 1.2);
   CHECK(batten.symmetry == Symmetry::kNone);
-  const auto downlight = dim::read_ies_file(folder + "downlight-1100.ies", warnings);
+  const auto downlight = dim::read_photometric_file(folder + "downlight-1100.ies", warnings);
   CHECK(downlight.flux_lm == Approx(1100.0).epsilon(1e-4));
   CHECK(downlight.opening.shape == dim::OpeningShape::kEllipse);
   CHECK(warnings.empty());

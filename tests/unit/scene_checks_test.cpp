@@ -215,7 +215,7 @@ TEST_CASE("Finishes out of range or from an unknown entry are refused", "[scene]
   check_one(
       problems_of(kRoom, {"finishes.wall={diffuse=[[500,0.2],[400,0.3]]}"}),
       "--set finishes.wall={diffuse=[[500,0.2],[400,0.3]]} finish 'wall': diffuse: wavelengths must ascend, "
-      "400 nm follows 500 nm");
+      "400 nm follows 500 nm | sort the points, each wavelength once");
   check_one(problems_of(kRoom, {"finishes.wall=paint-white-matt"}),
             "--set finishes.wall=paint-white-matt finish 'wall': no surface 'paint-white-matt' in no "
             "database folder");
@@ -313,8 +313,10 @@ TEST_CASE("Hundreds of copies at one place are refused together, not pair by pai
     names += "\"d" + std::to_string(i) + "\",";
     by += "[1,0,0],";
   }
-  const auto problems = with("[[box]]\nname = \"d\"\nfinish = \"wall\"\ncorner = [1,1,1]\nsize = [0.2,0.2,0.2]\n"
-                             "[[copy]]\nof = \"d\"\nnames = [" + names + "]\nby = [" + by + "]\n");
+  const auto problems = with(
+      "[[box]]\nname = \"d\"\nfinish = \"wall\"\ncorner = [1,1,1]\nsize = [0.2,0.2,0.2]\n"
+      "[[copy]]\nof = \"d\"\nnames = [" +
+      names + "]\nby = [" + by + "]\n");
   REQUIRE(problems.size() == 1);
   CHECK(problems[0].find("lie on top of each other") != std::string::npos);
 }

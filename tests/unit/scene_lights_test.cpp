@@ -4,6 +4,7 @@
 
 #include "scene/lights_reader.hpp"
 #include "scene_support.hpp"
+#include "spectrum/named_spectra.hpp"
 
 using namespace dim;
 using namespace dim::test;
@@ -186,11 +187,20 @@ TEST_CASE("A spectrum of its own makes a fitting of its own", "[scene][lights][u
   const Fitting& second = result.fittings[static_cast<std::size_t>(result.luminaires[1].fitting)];
   CHECK(second.has_spectrum);
   CHECK(second.spectrum.at(550) == Approx(1.5));
+}
+
+TEST_CASE("A spectrum by name is that spectrum; an unknown name is an error", "[scene][lights][unit]") {
   Warnings warnings;
-  lights(one("fitting = \"a.ies\"\nat = [1,1,2.5]\nspectrum = \"led-4000\""), {}, &warnings);
-  REQUIRE(warnings.size() == 1);
-  CHECK(warnings[0].what ==
-        "spectrum 'led-4000' is not read in this version: it counts as equal-energy white");
+  const std::string lamp = "fitting = \"a.ies\"\nat = [1,1,2.5]\n";
+  const Lights result = lights(one(lamp + "spectrum = \"led-b3\""), {}, &warnings);
+  CHECK(warnings.empty());
+  const Fitting& fitting = result.fittings[static_cast<std::size_t>(result.luminaires[0].fitting)];
+  CHECK(fitting.has_spectrum);
+  CHECK(fitting.spectrum_name == "led-b3");
+  CHECK(fitting.spectrum.points() == find_spectrum("led-b3").points());
+  check_one(light_problems(one(lamp + "spectrum = \"led-b33\"")),
+            "lamps/lights.toml:6:12: luminaire 'A1': no spectrum is called 'led-b33'\n        did you mean "
+            "'led-b3'?");
 }
 
 TEST_CASE("A recessed luminaire in the ceiling is fine, a bare bulb on it is warned of",
@@ -225,9 +235,10 @@ TEST_CASE("Wrong luminaires are refused with place and cure", "[scene][lights][u
             "lamps/lights.toml:6:9: luminaire 'A1': an array of luminaires needs both count and pitch");
   check_one(light_problems(one(lamp + "count = [0,2]\npitch = [1,1]")),
             "lamps/lights.toml:6:10: luminaire 'A1': count must be 1 to 10000, not 0");
-  check_one(light_problems(one(lamp + "count = [10000,10000]\npitch = [0,0]")),
-            "lamps/lights.toml:6:9: luminaire 'A1': count = [10000, 10000] makes 100000000 luminaires; a file "
-            "has at most 100000\n        use fewer, or one luminaire of the same total flux for several");
+  check_one(
+      light_problems(one(lamp + "count = [10000,10000]\npitch = [0,0]")),
+      "lamps/lights.toml:6:9: luminaire 'A1': count = [10000, 10000] makes 100000000 luminaires; a file "
+      "has at most 100000\n        use fewer, or one luminaire of the same total flux for several");
   check_one(light_problems(one(lamp + "intensity = 5")),
             "lamps/lights.toml:6:13: luminaire 'A1': intensity belongs to an ideal source\n        use "
             "lumens or dim");
@@ -260,9 +271,7 @@ TEST_CASE("Photometric files that are missing or wrong are named", "[scene][ligh
   check_one(light_problems(one("fitting = \"none.ies\"\nat = [1,1,2.5]")),
             "lamps/lights.toml:4:11: luminaire 'A1': lamps/none.ies: No such file or directory");
   check_one(light_problems(one("fitting = \"a.ldt\"\nat = [1,1,2.5]")),
-            "lamps/lights.toml:4:11: luminaire 'A1': 'a.ldt' is not an .ies file; no other photometric "
-            "format is read "
-            "yet\n        convert it to IES LM-63");
+            "lamps/lights.toml:4:11: luminaire 'A1': lamps/a.ldt: No such file or directory");
   const auto bad = light_problems(one("fitting = \"bad.ies\"\nat = [1,1,2.5]"));
   REQUIRE(bad.size() == 1);
   CHECK(bad[0].starts_with("lamps/bad.ies:7:5: "));

@@ -9,12 +9,22 @@ namespace dim {
 namespace {
 
 constexpr NumberRange kRoughness{0.0, 10.0, false, false};
-constexpr NumberRange kRefractiveIndex{1.0, 100.0, false, false};
+constexpr NumberRange kRefractiveIndex{0.0, 100.0, true, false};
+constexpr double kLeastDielectricIndex = 1.0;
 constexpr NumberRange kExtinction{0.0, 100.0, false, false};
 
 template <typename T>
 void assign(std::optional<T> value, T& to) {
   if (value) to = std::move(*value);
+}
+
+// Metals bend light with less than 1; without absorption nothing does.
+void check_dielectric(const TomlTable& table, const Finish& finish) {
+  if (finish.extinction || finish.ior.min() >= kLeastDielectricIndex) return;
+  table.problem("ior",
+                fmt::format("ior must be at least 1 where there is no extinction, not {}",
+                            short_number(finish.ior.min())),
+                "give the extinction of a metal beside its ior");
 }
 
 void read_opaque(const TomlTable& table, Finish& finish) {
@@ -25,6 +35,7 @@ void read_opaque(const TomlTable& table, Finish& finish) {
   if (auto curve = table.curve("extinction", kExtinction)) finish.extinction = std::move(curve);
   if (auto curve = table.curve("specular_reflectance", kFraction))
     finish.specular_reflectance = std::move(curve);
+  check_dielectric(table, finish);
   assign(table.word("distribution", {"gaussian", "beckmann"}), finish.distribution);
 }
 

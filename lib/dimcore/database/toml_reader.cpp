@@ -268,38 +268,6 @@ std::optional<std::vector<std::vector<Vec3>>> TomlTable::rings(std::string_view 
   return result;
 }
 
-std::optional<SpectralCurve> TomlTable::curve(std::string_view key, const NumberRange& range) const {
-  const auto* value = node(key);
-  if (!value) return std::nullopt;
-  if (!value->is_array()) {
-    double constant = 0.0;
-    if (!number_in(*value, key, range, constant)) return std::nullopt;
-    return SpectralCurve(constant);
-  }
-  std::vector<std::pair<double, double>> points;
-  std::vector<double> row;
-  for (const auto& element : *value->as_array()) {
-    if (!numbers_in(element, key, 2, kAnyNumber, row)) return std::nullopt;
-    const auto& pair = *element.as_array();
-    double nm = 0.0, quantity = 0.0;
-    constexpr NumberRange kWavelengthNm{1.0, 1e5, false, false};
-    if (!number_in(pair[0], key, kWavelengthNm, nm) || !number_in(pair[1], key, range, quantity))
-      return std::nullopt;
-    if (!points.empty() && nm <= points.back().first) {
-      context_->problems.add(place_of(pair[0].source(), context_->file),
-                             fmt::format("{}: {}: wavelengths must ascend, {} nm follows {} nm", label_, key,
-                                         short_number(nm), short_number(points.back().first)));
-      return std::nullopt;
-    }
-    points.emplace_back(nm, quantity);
-  }
-  if (points.empty()) {
-    problem(key, fmt::format("{} is empty", key), "write a number or [[nm, value], ...]");
-    return std::nullopt;
-  }
-  return SpectralCurve(std::move(points));
-}
-
 std::optional<TomlTable> TomlTable::table(std::string_view key, std::string label) const {
   const auto* value = typed(key, toml::node_type::table, "a table");
   if (!value) return std::nullopt;

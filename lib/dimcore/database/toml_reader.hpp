@@ -93,7 +93,7 @@ class TomlTable {
                                                        const NumberRange& range) const;
   std::optional<std::vector<Vec3>> ring(std::string_view key) const;
   std::optional<std::vector<std::vector<Vec3>>> rings(std::string_view key) const;
-  /// A number (the same at every wavelength) or [[nm, value], ...] with wavelengths ascending.
+  /// A number (the same at every wavelength) or [[nm, value], ...] without the faults of find_fault.
   std::optional<SpectralCurve> curve(std::string_view key, const NumberRange& range) const;
 
   std::optional<TomlTable> table(std::string_view key, std::string label) const;

@@ -9,6 +9,7 @@
 #include "photometry/ies_labels.hpp"
 #include "photometry/number_reader.hpp"
 #include "photometry/symmetry.hpp"
+#include "photometry/text_scanner.hpp"
 
 namespace dim {
 namespace {
@@ -25,6 +26,7 @@ const char* const kCountCure = "check this line; decimals take a point, for a co
 struct IesCounts {
   std::size_t n_gamma;
   std::size_t n_c;
+  PhotometricType type;
 };
 
 LampTilt read_tilt(TextScanner& scanner) {
@@ -66,21 +68,16 @@ void take_lamps(Photometry& photometry, NumberReader& in, const TextScanner& sca
   photometry.multiplier = in.number("candela multiplier", kFactor);
 }
 
-void check_photometric_type(int type, const Place& place) {
-  if (type == 1) return;
-  throw InputError({place,
-                    fmt::format("photometric type {} (type {}) is not supported, only 1 (type C)", type,
-                                type == 2 ? 'B' : 'A'),
-                    "convert the file to type C"});
-}
-
-void take_opening(Photometry& photometry, NumberReader& in, bool feet) {
+void take_opening(Photometry& photometry, NumberReader& in, bool feet, PhotometricType type) {
   const double unit_m = feet ? kMetresPerFoot : 1.0;
   const Limits limits = {-kMaxOpening_m / unit_m, kMaxOpening_m / unit_m};
   const double width_m = unit_m * in.number("width of the luminous opening", limits);
   const double length_m = unit_m * in.number("length of the luminous opening", limits);
   const double height_m = unit_m * in.number("height of the luminous opening", limits);
   photometry.opening = opening_from_lm63(width_m, length_m, height_m, photometry.format_year);
+  // The width is across the plane of horizontal angle 0, which is C0-C180 in type C, C90-C270 in A and B.
+  if (type != PhotometricType::kC && photometry.opening.shape != OpeningShape::kVerticalEllipse)
+    std::swap(photometry.opening.length_m, photometry.opening.width_m);
 }
 
 /// The third number of the ballast line, which three editions define differently.
@@ -124,9 +121,14 @@ IesCounts take_header(Photometry& photometry, TextScanner& scanner, Warnings& wa
                       fmt::format("{} x {} candela values are more than the {} allowed", counts.n_gamma,
                                   counts.n_c, kMaxCandelas),
                       "resample the file to coarser angles"});
-  const int type = in.count("photometric type", {1, 3});
-  check_photometric_type(type, scanner.place());
-  take_opening(photometry, in, in.count("units type", {1, 2}) == 1);
+  counts.type = static_cast<PhotometricType>(in.count("photometric type", {1, 3}));
+  if (counts.type != PhotometricType::kC && counts.n_c < 2)
+    throw InputError({scanner.place(),
+                      fmt::format("1 horizontal angle is too few for photometric type {}",
+                                  counts.type == PhotometricType::kB ? 'B' : 'A'),
+                      "types A and B have no axial form; list H from 0 or -90 to 90"});
+  const bool feet = in.count("units type", {1, 2}) == 1;
+  take_opening(photometry, in, feet, counts.type);
   photometry.ballast_factor = in.number("ballast factor", kFactor);
   take_third_number(photometry, in, scanner, warnings);
   take_watts(photometry, in, scanner, warnings);
@@ -158,12 +160,44 @@ Symmetry checked_symmetry(const std::vector<double>& c_deg, const Place& place, 
   return *symmetry;
 }
 
+/// Types A and B: whether H is listed on one side only.
+Symmetry symmetry_about_aim(const std::vector<double>& h_deg, const std::vector<double>& v_deg,
+                            const Place& place, Warnings& warnings) {
+  if (v_deg.front() >= 0.0 || v_deg.back() <= 0.0)
+    warnings.push_back(
+        {place,
+         fmt::format("vertical angles run from {} to {}: no light is taken to leave outside them",
+                     v_deg.front(), v_deg.back()),
+         ""});
+  if (h_deg.front() == 0.0) return Symmetry::kLateral;
+  if (h_deg.front() > 0.0 || h_deg.back() <= 0.0)
+    throw InputError({place,
+                      fmt::format("horizontal angles run from {} to {}; in types A and B they start at 0 or "
+                                  "below and end above 0",
+                                  h_deg.front(), h_deg.back()),
+                      ""});
+  return Symmetry::kNone;
+}
+
+/// Allowed angles of each type: along the plane's turn, and between the poles.
+Limits vertical_limits(PhotometricType type) {
+  if (type == PhotometricType::kC) return {0, 180};
+  return type == PhotometricType::kB ? Limits{-180, 180} : Limits{-90, 90};
+}
+
+Limits horizontal_limits(PhotometricType type) {
+  if (type == PhotometricType::kC) return {-180, 360};
+  return type == PhotometricType::kB ? Limits{-90, 90} : Limits{-180, 180};
+}
+
 void take_intensities(Photometry& photometry, const IesCounts& counts, TextScanner& scanner,
                       Warnings& warnings) {
   NumberReader in(scanner);
-  const std::vector<double> gamma_deg = in.ascending("vertical angle", counts.n_gamma, {0, 180});
-  const std::vector<double> c_deg = in.ascending("horizontal angle", counts.n_c, {-180, 360});
-  photometry.symmetry = checked_symmetry(c_deg, scanner.place(), warnings);
+  const bool type_c = counts.type == PhotometricType::kC;
+  const auto vertical_deg = in.ascending("vertical angle", counts.n_gamma, vertical_limits(counts.type));
+  const auto horizontal_deg = in.ascending("horizontal angle", counts.n_c, horizontal_limits(counts.type));
+  photometry.symmetry = type_c ? checked_symmetry(horizontal_deg, scanner.place(), warnings)
+                               : symmetry_about_aim(horizontal_deg, vertical_deg, scanner.place(), warnings);
   const double factor = photometry.multiplier * photometry.ballast_factor * photometry.ballast_lamp_factor;
   std::vector<double> candelas = in.list("candela value", counts.n_c * counts.n_gamma, {0, kMaxIntensity_cd});
   const double highest = *std::max_element(candelas.begin(), candelas.end());
@@ -173,7 +207,8 @@ void take_intensities(Photometry& photometry, const IesCounts& counts, TextScann
          fmt::format("candela value {} x factor {} is {}", highest, factor, outside({0, kMaxIntensity_cd})),
          ""});
   for (double& candela : candelas) candela *= factor;
-  photometry.distribution = expand(photometry.symmetry, c_deg, gamma_deg, candelas);
+  photometry.distribution = type_c ? expand(photometry.symmetry, horizontal_deg, vertical_deg, candelas)
+                                   : expand_about_aim(counts.type, horizontal_deg, vertical_deg, candelas);
 }
 
 void warn_of_rest(TextScanner& scanner, Warnings& warnings) {
@@ -226,23 +261,11 @@ void warn_of_flux(const Photometry& photometry, const std::string& file_name, Wa
   if (lamps && flux > 1.02 * *lamps * factor) warn("gives its lamps", *lamps * factor);
 }
 
-std::string_view without_mark(std::string_view bytes, const std::string& file_name) {
-  if (bytes.substr(0, 3) == "\xEF\xBB\xBF") return bytes.substr(3);
-  if (bytes.substr(0, 2) == "\xFF\xFE" || bytes.substr(0, 2) == "\xFE\xFF")
-    throw InputError({{file_name, 1, 1}, "the text is UTF-16; LM-63 files are ASCII", "save it as UTF-8"});
-  return bytes;
-}
-
 }  // namespace
 
 Photometry read_ies(std::string_view bytes, const std::string& file_name, Warnings& warnings,
                     const TiltResolver& resolver) {
-  if (bytes.size() > kMaxPhotometryBytes)
-    throw InputError({{file_name, 0, 0},
-                      fmt::format("{} bytes are more than the {} allowed for a photometric file",
-                                  bytes.size(), kMaxPhotometryBytes),
-                      "give an LM-63 (IES) file"});
-  TextScanner scanner(without_mark(bytes, file_name), file_name);
+  TextScanner scanner(photometric_text(bytes, file_name), file_name);
   Photometry photometry;
   IesLabels labels = read_ies_labels(scanner, warnings);
   photometry.identifier = std::move(labels.identifier);

@@ -45,15 +45,18 @@ bool is_tilt_line(std::string_view line, std::string& tilt) {
   return true;
 }
 
-void take_label(IesLabels& labels, std::string_view line) {
+void take_label(IesLabels& labels, std::string_view bytes) {
   auto& keywords = labels.keywords;
+  // Decoded first: the second byte of a Shift-JIS character may be a bracket's.
+  const std::string text = to_utf8(bytes);
+  const std::string_view line = text;
   const std::size_t close = line.find(']');
   if (line.front() != '[' || close == std::string_view::npos) {
-    keywords.emplace_back("", to_utf8(line));
+    keywords.emplace_back("", text);
     return;
   }
-  const std::string key = in_capitals(to_utf8(trimmed(line.substr(1, close - 1))));
-  const std::string value = to_utf8(trimmed(line.substr(close + 1)));
+  const std::string key = in_capitals(trimmed(line.substr(1, close - 1)));
+  const std::string value(trimmed(line.substr(close + 1)));
   if (key == "MORE" && !keywords.empty()) {
     keywords.back().second += ' ' + value;
     return;

@@ -42,21 +42,59 @@ IntensityTable IntensityTable::isotropic(double intensity_cd) { return {Kind::kI
 IntensityTable IntensityTable::lambertian(double intensity_cd) { return {Kind::kLambertian, intensity_cd}; }
 
 IntensityTable::IntensityTable(const IntensityDistribution& distribution)
-    : n_gamma_(distribution.gamma_rad.size()),
+    : kind_(distribution.type == PhotometricType::kC ? Kind::kTable : Kind::kTurnedTable),
+      type_(distribution.type),
+      n_gamma_(distribution.gamma_rad.size()),
       c_(distribution.c_rad),
       gamma_(distribution.gamma_rad),
       cd_(distribution.intensity_cd) {
   if (cd_.size() != c_.n_nodes() * n_gamma_)
     throw InternalError("intensity table: " + std::to_string(cd_.size()) + " values for " +
                         std::to_string(c_.n_nodes()) + " planes of " + std::to_string(n_gamma_));
-  if (std::abs(c_.front_rad()) > kAngleSlack_rad || std::abs(c_.back_rad() - 2 * kPi) > kAngleSlack_rad)
-    throw InternalError("intensity table: planes do not span the whole turn");
-  if (gamma_.front_rad() < 0.0 || gamma_.back_rad() > kPi + kAngleSlack_rad)
-    throw InternalError("intensity table: gamma outside 0..pi");
+  check_angles();
   for (const double cd : cd_)
     if (!(cd >= 0.0) || !std::isfinite(cd))
       throw InternalError("intensity table: negative or non-finite intensity");
   summarise();
+}
+
+void IntensityTable::check_angles() const {
+  if (gamma_.front_rad() < 0.0 || gamma_.back_rad() > kPi + kAngleSlack_rad)
+    throw InternalError("intensity table: angle from the pole outside 0..pi");
+  if (kind_ == Kind::kTurnedTable) {
+    if (c_.front_rad() < -kPi - kAngleSlack_rad || c_.back_rad() > kPi + kAngleSlack_rad)
+      throw InternalError("intensity table: planes outside -pi..pi");
+    return;
+  }
+  if (std::abs(c_.front_rad()) > kAngleSlack_rad || std::abs(c_.back_rad() - 2 * kPi) > kAngleSlack_rad)
+    throw InternalError("intensity table: planes do not span the whole turn");
+}
+
+double IntensityTable::at_turned(const Vec3& dir_local) const {
+  const bool b = type_ == PhotometricType::kB;
+  const double to_pole = b ? dir_local.x : dir_local.y;
+  const double round = b ? dir_local.y : dir_local.x;
+  const double from_pole = half_turn_angle(std::hypot(round, dir_local.z), -to_pole);
+  double plane = whole_turn_angle(round, dir_local.z);
+  if (plane > kPi) plane -= 2 * kPi;
+  if (!gamma_.contains(from_pole) || !c_.contains(plane)) return 0.0;
+  return between_planes(plane, from_pole);
+}
+
+// Whether any light leaves at more than 90 degrees from the aim. `plane_max_cd` is the largest intensity of
+// each plane, `lit_end` one past the last angle of a plane with light.
+bool IntensityTable::lit_behind(const std::vector<double>& plane_max_cd, std::size_t lit_end) const {
+  const double limit = kPi / 2 + kAngleSlack_rad;
+  if (kind_ == Kind::kTable)
+    return lit_end > 0 && gamma_.nodes_rad()[std::min(lit_end, n_gamma_ - 1)] > limit;
+  const auto& plane = c_.nodes_rad();
+  for (std::size_t p = 0; p < plane.size(); ++p) {
+    if (plane_max_cd[p] == 0.0) continue;
+    const double low = plane[p > 0 ? p - 1 : p];
+    const double high = plane[std::min(p + 1, plane.size() - 1)];
+    if (low < -limit || high > limit) return true;
+  }
+  return false;
 }
 
 void IntensityTable::summarise() {
@@ -64,30 +102,35 @@ void IntensityTable::summarise() {
   const auto& gamma = gamma_.nodes_rad();
   // Integral over C first: the trapezium rule is exact for an interpolant linear in C.
   std::vector<double> round(n_gamma_, 0.0);
+  std::vector<double> plane_max_cd(c.size(), 0.0);
   std::size_t lit_end = 0;  // one past the last gamma with light
-  axial_ = true;
+  axial_ = kind_ == Kind::kTable;
   for (std::size_t p = 0; p < c.size(); ++p) {
     const double before = p > 0 ? c[p] - c[p - 1] : 0.0;
     const double after = p + 1 < c.size() ? c[p + 1] - c[p] : 0.0;
     const double* row = cd_.data() + p * n_gamma_;
     for (std::size_t g = 0; g < n_gamma_; ++g) {
       round[g] += 0.5 * (before + after) * row[g];
-      max_cd_ = std::max(max_cd_, row[g]);
+      plane_max_cd[p] = std::max(plane_max_cd[p], row[g]);
       if (row[g] > 0.0) lit_end = std::max(lit_end, g + 1);
       if (row[g] != cd_[g]) axial_ = false;
     }
+    max_cd_ = std::max(max_cd_, plane_max_cd[p]);
   }
   for (std::size_t g = 0; g + 1 < n_gamma_; ++g) {
     const SineWeights weights = sine_weights(gamma[g], gamma[g + 1]);
     flux_lm_ += weights.lower * round[g] + weights.upper * round[g + 1];
   }
-  const double reach = lit_end == 0 ? 0.0 : gamma[std::min(lit_end, n_gamma_ - 1)];
-  zero_behind_ = reach <= kPi / 2 + kAngleSlack_rad;
+  zero_behind_ = !lit_behind(plane_max_cd, lit_end);
 }
 
 double IntensityTable::at_c_gamma(double c_rad, double gamma_rad) const {
   if (kind_ == Kind::kIsotropic) return max_cd_;
   if (kind_ == Kind::kLambertian) return gamma_rad < kPi / 2 ? max_cd_ * std::cos(gamma_rad) : 0.0;
+  if (kind_ == Kind::kTurnedTable) {
+    const double across = std::sin(gamma_rad);
+    return at_turned({across * std::cos(c_rad), across * std::sin(c_rad), std::cos(gamma_rad)});
+  }
   if (!gamma_.contains(gamma_rad)) return 0.0;
   const double turns = std::floor(c_rad / (2 * kPi));
   return between_planes(std::clamp(c_rad - turns * 2 * kPi, 0.0, 2 * kPi), gamma_rad);

@@ -9,20 +9,34 @@
 
 namespace dim {
 
-/// Luminous intensity on a C-gamma grid (CIE and LM-63 type C), expanded from the file's symmetry to the
-/// whole turn.
+/// The three grids of directions (LM-63 "photometric type"; C-gamma, B-beta and A-alpha of CIE 121 and
+/// EN 13032-1). In the luminaire's frame (x = C0, y = C90, z = aim):
+///   C: (sin gamma cos C, sin gamma sin C, cos gamma)
+///   B: (sin H, cos H sin V, cos H cos V), solid angle cos(H) dH dV
+///   A: (cos V sin H, sin V, cos V cos H), solid angle cos(V) dH dV
+/// so that H = V = 0 is the aim, H grows towards C0 and V towards C90. A floodlight aimed level with
+/// c0 to its right (seen from behind) has positive H on the right and positive V upwards.
+enum class PhotometricType { kC = 1, kB = 2, kA = 3 };
+
+/// Luminous intensity on the grid it was measured on, expanded from the file's symmetry. All three types are
+/// planes that meet in a polar axis: type C in the aim, type B in C0 - C180, type A in C90 - C270.
 struct IntensityDistribution {
-  std::vector<double> c_rad;      ///< ascending, 0 to 2 pi inclusive; {0, 2 pi} where rotationally symmetric
-  std::vector<double> gamma_rad;  ///< ascending within 0..pi; no light outside its first and last angle
+  /// Angle of the planes, ascending. Type C: C, 0 to 2 pi inclusive; {0, 2 pi} where rotationally symmetric.
+  /// Type B: V, type A: H, within -pi..pi; no light outside the first and last plane.
+  std::vector<double> c_rad;
+  /// Angle from the pole, ascending within 0..pi; no light outside the first and last angle. Type C: gamma;
+  /// type B: H + pi/2; type A: V + pi/2.
+  std::vector<double> gamma_rad;
   std::vector<double> intensity_cd;  ///< [n_c * n_gamma], gamma fastest, >= 0
+  PhotometricType type = PhotometricType::kC;
 };
 
 /// Luminous intensity in any direction, ready for many calls from many threads.
 ///
-/// A table is interpolated linearly in C and in gamma and is zero outside the gamma range; isotropic and
-/// Lambertian sources are evaluated exactly. Directions are in the luminaire's frame: x = C0, y = C90,
-/// z = aim (gamma = 0), each component a dot product with that unit vector. (With C counted as LM-63 counts
-/// it this frame is left-handed; C90 = C0 x aim.)
+/// A table is interpolated linearly in both angles of its own type and is zero outside their range; isotropic
+/// and Lambertian sources are evaluated exactly. Directions are in the luminaire's frame: x = C0, y = C90, z
+/// = aim (gamma = 0), each component a dot product with that unit vector. (With C counted as LM-63 counts it
+/// this frame is left-handed; C90 = C0 x aim.)
 class IntensityTable {
  public:
   /// @throws InternalError if the arrays do not fit the description of IntensityDistribution
@@ -41,6 +55,7 @@ class IntensityTable {
       if (dir_local.z <= 0.0) return 0.0;
       return max_cd_ * dir_local.z / std::sqrt(across2 + dir_local.z * dir_local.z);
     }
+    if (kind_ == Kind::kTurnedTable) return at_turned(dir_local);
     const double gamma = half_turn_angle(std::sqrt(across2), dir_local.z);
     if (!gamma_.contains(gamma)) return 0.0;
     if (axial_) return along_gamma(0, gamma_.locate(gamma));
@@ -61,8 +76,11 @@ class IntensityTable {
   bool axial() const { return axial_; }
 
  private:
-  enum class Kind { kTable, kIsotropic, kLambertian };
+  enum class Kind { kTable, kIsotropic, kLambertian, kTurnedTable };
   IntensityTable(Kind kind, double intensity_cd);
+
+  double at_turned(const Vec3& dir_local) const;
+  void check_angles() const;
 
   double along_gamma(std::size_t row, const AngleGrid::Spot& g) const {
     const double* cd = cd_.data() + row + g.index;
@@ -76,8 +94,10 @@ class IntensityTable {
     return lower + (along_gamma(row + n_gamma_, g) - lower) * p.fraction;
   }
   void summarise();
+  bool lit_behind(const std::vector<double>& plane_max_cd, std::size_t lit_end) const;
 
   Kind kind_ = Kind::kTable;
+  PhotometricType type_ = PhotometricType::kC;
   bool axial_ = true;
   bool zero_behind_ = false;
   double max_cd_ = 0.0;

@@ -114,4 +114,35 @@ IntensityDistribution expand(Symmetry symmetry, const std::vector<double>& c_deg
   return whole;
 }
 
+IntensityDistribution expand_about_aim(PhotometricType type, const std::vector<double>& h_deg,
+                                       const std::vector<double>& v_deg,
+                                       const std::vector<double>& intensity_cd) {
+  struct Column {
+    double h_deg;
+    std::size_t source;
+  };
+  std::vector<Column> columns;
+  if (same(h_deg.front(), 0.0))
+    for (std::size_t i = h_deg.size(); i-- > 1;) columns.push_back({-h_deg[i], i});
+  for (std::size_t i = 0; i < h_deg.size(); ++i) columns.push_back({h_deg[i], i});
+
+  IntensityDistribution whole;
+  whole.type = type;
+  const auto value = [&](std::size_t h, std::size_t v) {
+    return intensity_cd[columns[h].source * v_deg.size() + v];
+  };
+  if (type == PhotometricType::kA) {
+    for (const Column& column : columns) whole.c_rad.push_back(radians(column.h_deg));
+    for (const double v : v_deg) whole.gamma_rad.push_back(radians(v + 90.0));
+    for (std::size_t h = 0; h < columns.size(); ++h)
+      for (std::size_t v = 0; v < v_deg.size(); ++v) whole.intensity_cd.push_back(value(h, v));
+  } else {
+    for (const double v : v_deg) whole.c_rad.push_back(radians(v));
+    for (const Column& column : columns) whole.gamma_rad.push_back(radians(column.h_deg + 90.0));
+    for (std::size_t v = 0; v < v_deg.size(); ++v)
+      for (std::size_t h = 0; h < columns.size(); ++h) whole.intensity_cd.push_back(value(h, v));
+  }
+  return whole;
+}
+
 }  // namespace dim

@@ -26,4 +26,13 @@ std::optional<Symmetry> symmetry_of(const std::vector<double>& c_deg);
 IntensityDistribution expand(Symmetry symmetry, const std::vector<double>& c_deg,
                              const std::vector<double>& gamma_deg, const std::vector<double>& intensity_cd);
 
+/// The same for types A and B; `h_deg` from 0 upwards means that the half turn below 0 is its reflection.
+///
+/// @param type          kA or kB
+/// @param h_deg, v_deg  strictly ascending, at least two of each
+/// @param intensity_cd  [n_h * n_v], V fastest
+IntensityDistribution expand_about_aim(PhotometricType type, const std::vector<double>& h_deg,
+                                       const std::vector<double>& v_deg,
+                                       const std::vector<double>& intensity_cd);
+
 }  // namespace dim

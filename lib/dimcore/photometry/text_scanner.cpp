@@ -1,5 +1,8 @@
 #include "photometry/text_scanner.hpp"
 
+#include <fmt/format.h>
+#include <iconv.h>
+
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -59,9 +62,63 @@ void append_code_point(std::string& text, unsigned code) {
   }
 }
 
+// First and second bytes of a two-byte character of Shift-JIS (JIS X 0208 rows only).
+bool is_jis_lead(unsigned char c) { return (c >= 0x81 && c <= 0x9F) || (c >= 0xE0 && c <= 0xEA); }
+bool is_jis_trail(unsigned char c) { return c >= 0x40 && c <= 0xFC && c != 0x7F; }
+bool is_katakana(unsigned char c) { return c >= 0xA1 && c <= 0xDF; }
+
+// Two bytes beyond ASCII in a row are rare in Windows-1252 (an accented letter stands between plain ones),
+// and the rule in Shift-JIS.
+bool looks_like_shift_jis(std::string_view bytes) {
+  std::size_t n_pairs_beyond_ascii = 0, n_katakana = 0;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    const auto c = static_cast<unsigned char>(bytes[i]);
+    if (c < 0x80) continue;
+    if (is_jis_lead(c)) {
+      if (++i == bytes.size() || !is_jis_trail(static_cast<unsigned char>(bytes[i]))) return false;
+      if (static_cast<unsigned char>(bytes[i]) >= 0x80) ++n_pairs_beyond_ascii;
+    } else if (is_katakana(c)) {
+      ++n_katakana;
+    } else {
+      return false;
+    }
+  }
+  return n_pairs_beyond_ascii > 0 && n_katakana <= 2 * n_pairs_beyond_ascii;
+}
+
+// Empty where the system cannot convert.
+std::string from_shift_jis(std::string_view bytes) {
+  const iconv_t converter = iconv_open("UTF-8", "CP932");
+  if (converter == reinterpret_cast<iconv_t>(-1)) return {};
+  std::string in(bytes), out(bytes.size() * 3, '\0');
+  char* from = in.data();
+  char* to = out.data();
+  std::size_t n_in = in.size(), n_out = out.size();
+  const bool failed = iconv(converter, &from, &n_in, &to, &n_out) == static_cast<std::size_t>(-1);
+  iconv_close(converter);
+  if (failed) return {};
+  out.resize(out.size() - n_out);
+  return out;
+}
+
 }  // namespace
 
+std::string_view photometric_text(std::string_view bytes, const std::string& file_name) {
+  if (bytes.size() > kMaxPhotometryBytes)
+    throw InputError({{file_name, 0, 0},
+                      fmt::format("{} bytes are more than the {} allowed for a photometric file",
+                                  bytes.size(), kMaxPhotometryBytes),
+                      "give an LM-63 (IES) or EULUMDAT file"});
+  if (bytes.substr(0, 3) == "\xEF\xBB\xBF") return bytes.substr(3);
+  if (bytes.substr(0, 2) == "\xFF\xFE" || bytes.substr(0, 2) == "\xFE\xFF")
+    throw InputError(
+        {{file_name, 1, 1}, "the text is UTF-16; photometric files are 8-bit text", "save it as UTF-8"});
+  return bytes;
+}
+
 std::string to_utf8(std::string_view bytes) {
+  if (!valid_utf8(bytes) && looks_like_shift_jis(bytes))
+    if (const std::string text = from_shift_jis(bytes); !text.empty()) return to_utf8(text);
   const bool already = valid_utf8(bytes);
   std::string text;
   text.reserve(bytes.size());

@@ -8,8 +8,17 @@
 
 namespace dim {
 
-/// Bytes as UTF-8: unchanged where they are valid UTF-8, else read as Windows-1252 (of which Latin-1 is a
-/// part). Control characters become blanks, so that the text is safe to print.
+/// Larger files are refused unread; the largest real ones are a few hundred kilobytes.
+inline constexpr std::size_t kMaxPhotometryBytes = std::size_t{64} << 20;
+
+/// The text of a photometric file without its byte order mark.
+/// @throws InputError  larger than kMaxPhotometryBytes, or UTF-16
+std::string_view photometric_text(std::string_view bytes, const std::string& file_name);
+
+/// Bytes as UTF-8: unchanged where they are valid UTF-8; Shift-JIS where that fits (every byte beyond ASCII
+/// belongs to a two-byte character or a katakana, and some character has two such bytes in a row); else read
+/// as Windows-1252 (of which Latin-1 is a part). Control characters become blanks, so that the text is safe
+/// to print.
 std::string to_utf8(std::string_view bytes);
 
 /// Without blanks and tabs at both ends.

@@ -6,15 +6,14 @@
 
 #include "base/input_file.hpp"
 #include "database/fitting_entry.hpp"
-#include "photometry/ies.hpp"
-#include "photometry/text_scanner.hpp"
+#include "photometry/photometry_file.hpp"
 
 namespace dim {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string extension_of(const std::string& name) { return in_capitals(fs::path(name).extension().string()); }
+constexpr const char* kFormatCure = "give an IES LM-63 (.ies) or EULUMDAT (.ldt) file";
 
 }  // namespace
 
@@ -47,27 +46,25 @@ int FittingShelf::ideal(const std::string& kind) {
   if (known != index_.end()) return known->second;
   auto intensity = kind == "isotropic" ? IntensityTable::isotropic(1.0) : IntensityTable::lambertian(1.0);
   const double flux_lm = intensity.flux_lm();
-  return add(key, {kind, std::move(intensity), {}, flux_lm, SpectralCurve(1.0), false, "", 0.0});
+  return add(key, {kind, std::move(intensity), {}, flux_lm, SpectralCurve(1.0), false, "", 0.0, {}});
 }
 
-int FittingShelf::with_spectrum(int fitting, const std::string& key,
-                                const std::optional<SpectralCurve>& spectrum,
+int FittingShelf::with_spectrum(int fitting, const std::string& key, const SpectralCurve& spectrum,
                                 const std::string& spectrum_name) {
   const std::string whole_key = fmt::format("{} spectrum {}", fitting, key);
   const auto known = index_.find(whole_key);
   if (known != index_.end()) return known->second;
   Fitting copy = (*this)[fitting];
-  copy.has_spectrum = spectrum.has_value();
-  copy.spectrum = spectrum.value_or(SpectralCurve(1.0));
+  copy.has_spectrum = true;
+  copy.spectrum = spectrum;
   copy.spectrum_name = spectrum_name;
   return add(whole_key, std::move(copy));
 }
 
 std::optional<Fitting> FittingShelf::read(const std::string& name, const std::string& asker,
                                           const Place& place) {
-  const std::string extension = extension_of(name);
-  if (extension == ".IES" || extension == ".LDT")
-    return read_photometry(name, (fs::path(folder_) / name).string(), std::nullopt, asker, place);
+  if (is_photometric_name(name))
+    return read_file(name, (fs::path(folder_) / name).string(), nullptr, asker, place);
   if (const auto path = search_.find_fitting(name)) return read_entry(name, *path);
   problems_.add(place, fmt::format("{}: no fitting '{}' in {}", asker, name, search_.places("fittings")),
                 did_you_mean(name, search_.names("fittings")));
@@ -77,8 +74,7 @@ std::optional<Fitting> FittingShelf::read(const std::string& name, const std::st
 std::optional<Fitting> FittingShelf::read_entry(const std::string& name, const std::string& path) {
   try {
     const FittingEntry entry = read_fitting_entry(load_(path), path, name);
-    auto fitting =
-        read_photometry(name, entry.file, entry.lumens, fmt::format("fitting '{}'", name), entry.file_place);
+    auto fitting = read_file(name, entry.file, &entry, fmt::format("fitting '{}'", name), entry.file_place);
     if (!fitting) return std::nullopt;
     if (entry.spectrum) fitting->spectrum = *entry.spectrum;
     fitting->has_spectrum = entry.spectrum.has_value();
@@ -93,27 +89,23 @@ std::optional<Fitting> FittingShelf::read_entry(const std::string& name, const s
   return std::nullopt;
 }
 
-std::optional<Fitting> FittingShelf::read_photometry(const std::string& name, const std::string& path,
-                                                     std::optional<double> lumens, const std::string& asker,
-                                                     const Place& place) {
-  if (extension_of(path) != ".IES") {
-    problems_.add(
-        place,
-        fmt::format("{}: '{}' is not an .ies file; no other photometric format is read yet", asker, name),
-        "convert it to IES LM-63");
+std::optional<Fitting> FittingShelf::read_file(const std::string& name, const std::string& path,
+                                               const FittingEntry* entry, const std::string& asker,
+                                               const Place& place) {
+  if (!is_photometric_name(path)) {
+    problems_.add(place, fmt::format("{}: '{}' is not an .ies or .ldt file", asker, path), kFormatCure);
     return std::nullopt;
   }
   try {
     const auto beside = [&](const std::string& tilt) {
       return load_((fs::path(path).parent_path() / tilt).string());
     };
-    Photometry photometry = read_ies(load_(path), path, warnings_, beside);
-    if (lumens && photometry.flux_lm > 0.0)
-      for (auto& cd : photometry.distribution.intensity_cd) cd *= *lumens / photometry.flux_lm;
+    Photometry photometry = read_photometry(load_(path), path, warnings_, beside);
+    if (entry) apply_factors(*entry, photometry);
     IntensityTable intensity(photometry.distribution);
     const double flux_lm = intensity.flux_lm();
-    return Fitting{name, std::move(intensity),        photometry.opening, flux_lm, SpectralCurve(1.0), false,
-                   "",   photometry.watts.value_or(0)};
+    return Fitting{name, std::move(intensity),         photometry.opening, flux_lm, SpectralCurve(1.0), false,
+                   "",   photometry.watts.value_or(0), photometry.tilt};
   } catch (const InputError& error) {
     pass_on(error);
   } catch (const IoError& error) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "database/fitting_entry.hpp"
 #include "database/search.hpp"
 #include "scene/lights.hpp"
 
@@ -24,8 +25,8 @@ class FittingShelf {
   FittingShelf(std::string folder, const DatabaseSearch& search, const FileLoader& load, Problems& problems,
                Warnings& warnings);
 
-  /// Index of a database entry, or of a path ending in .ies; -1 where it cannot be had, which is reported the
-  /// first time it is asked for.
+  /// Index of a database entry, or of a path ending in .ies or .ldt; -1 where it cannot be had, which is
+  /// reported the first time it is asked for.
   /// @param asker  "luminaire 'A1'" for messages
   int find(const std::string& name, const std::string& asker, const Place& place);
 
@@ -33,7 +34,7 @@ class FittingShelf {
   int ideal(const std::string& kind);
 
   /// Index of the same fitting with another spectrum; `key` tells spectra apart.
-  int with_spectrum(int fitting, const std::string& key, const std::optional<SpectralCurve>& spectrum,
+  int with_spectrum(int fitting, const std::string& key, const SpectralCurve& spectrum,
                     const std::string& spectrum_name);
 
   const Fitting& operator[](int i) const { return fittings_[static_cast<std::size_t>(i)]; }
@@ -43,9 +44,8 @@ class FittingShelf {
   int add(const std::string& key, Fitting fitting);
   std::optional<Fitting> read(const std::string& name, const std::string& asker, const Place& place);
   std::optional<Fitting> read_entry(const std::string& name, const std::string& path);
-  std::optional<Fitting> read_photometry(const std::string& name, const std::string& path,
-                                         std::optional<double> lumens, const std::string& asker,
-                                         const Place& place);
+  std::optional<Fitting> read_file(const std::string& name, const std::string& path,
+                                   const FittingEntry* entry, const std::string& asker, const Place& place);
   void pass_on(const InputError& error);
 
   std::string folder_;

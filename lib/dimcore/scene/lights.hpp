@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "base/vec.hpp"
 #include "photometry/intensity.hpp"
 #include "photometry/opening.hpp"
+#include "photometry/photometry.hpp"
 #include "spectrum/curve.hpp"
 
 /// The validated model of a lights file: fittings, each once, and the luminaires that use them, in the zone's
@@ -21,8 +23,9 @@ struct Fitting {
   double flux_lm = 0.0;         ///< integral of `intensity`
   SpectralCurve spectrum{1.0};  ///< relative; equal-energy where the entry says nothing
   bool has_spectrum = false;
-  std::string spectrum_name;  ///< a spectrum asked for by name, not read: counts as equal-energy
-  double watts = 0.0;         ///< 0 where not known
+  std::string spectrum_name;     ///< where the spectrum was asked for by name
+  double watts = 0.0;            ///< 0 where not known
+  std::optional<LampTilt> tilt;  ///< how the lamps' output changes with the luminaire's position
 };
 
 /// One luminaire in its place. Its frame is x = c0, y = c90, z = aim, as IntensityTable and LuminousOpening
@@ -35,7 +38,7 @@ struct Luminaire {
   Vec3 c0{1, 0, 0};         ///< C = 0
   Vec3 c90{0, 1, 0};        ///< c0 x aim
   Vec3 aim{0, 0, -1};       ///< gamma = 0
-  double factor = 1.0;      ///< times the fitting's intensity: dim, and lumens or intensity asked for
+  double factor = 1.0;      ///< times the fitting's intensity: dim, lamp tilt, lumens or intensity asked for
   LuminousOpening opening;  ///< the fitting's, or what the lights file says instead
   bool body = false;        ///< the opening also obstructs
   Place place;

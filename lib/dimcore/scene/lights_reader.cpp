@@ -158,18 +158,10 @@ class LightsReader {
     std::optional<SpectralCurve> spectrum;
     std::string spectrum_name;
     read_spectrum_key(table, spectrum, spectrum_name);
-    if (spectrum || !spectrum_name.empty()) {
-      const std::string key =
-          spectrum ? fmt::format("line {}", table.place().line) : "named " + spectrum_name;
-      luminaire.fitting = shelf_.with_spectrum(luminaire.fitting, key, spectrum, spectrum_name);
-    }
-    const Fitting& fitting = shelf_[luminaire.fitting];
-    if (fitting.spectrum_name.empty() || !warned_spectra_.insert(fitting.spectrum_name).second) return;
-    warnings_.push_back(
-        {table.place(spectrum_name.empty() ? "fitting" : "spectrum"),
-         fmt::format("spectrum '{}' is not read in this version: it counts as equal-energy white",
-                     fitting.spectrum_name),
-         "give the spectrum as [[nm, value], ...]"});
+    if (!spectrum) return;
+    const std::string key =
+        spectrum_name.empty() ? fmt::format("line {}", table.place().line) : "named " + spectrum_name;
+    luminaire.fitting = shelf_.with_spectrum(luminaire.fitting, key, *spectrum, spectrum_name);
   }
 
   void read_opening(const TomlTable& table, Luminaire& luminaire) {
@@ -215,6 +207,8 @@ class LightsReader {
       return table.problem(
           "name", fmt::format("the name '{}' is used twice, first at line {}", luminaire.name, it->second));
     luminaire.at = frame_.to_zone(at);
+    if (const auto& tilt = shelf_[luminaire.fitting].tilt)
+      luminaire.factor *= tilt_factor(*tilt, std::acos(std::clamp(-luminaire.aim.z, -1.0, 1.0)));
     for (int axis = 0; axis < 3; ++axis) {
       if (luminaire.at[axis] >= bounds_.low[axis] - slack_m_ &&
           luminaire.at[axis] <= bounds_.high[axis] + slack_m_)
@@ -273,7 +267,6 @@ class LightsReader {
   Warnings& warnings_;
   FittingShelf shelf_;
   std::map<std::string, int> names_;
-  std::set<std::string> warned_spectra_;
   Lights lights_;
 };
 

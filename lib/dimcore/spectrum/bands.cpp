@@ -1,8 +1,6 @@
 #include "spectrum/bands.hpp"
 
-#include <algorithm>
-
-#include "spectrum/observer.hpp"
+#include "spectrum/tables/cie_observers.hpp"
 
 namespace dim {
 
@@ -14,39 +12,29 @@ Bands Bands::uniform(int n) {
   return bands;
 }
 
-double integral_of_product(const SpectralCurve& a, const SpectralCurve& b, double low_nm, double high_nm) {
-  std::vector<double> knots{low_nm, high_nm};
-  for (const auto* curve : {&a, &b}) {
-    for (const auto& [nm, value] : curve->points()) {
-      if (nm > low_nm && nm < high_nm) knots.push_back(nm);
-    }
-  }
-  std::sort(knots.begin(), knots.end());
-  double sum = 0.0;
-  // Between knots the product is a parabola, which Simpson's rule integrates exactly.
-  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
-    const double l = knots[i], h = knots[i + 1], m = (l + h) / 2.0;
-    sum += (h - l) / 6.0 * (a.at(l) * b.at(l) + 4.0 * a.at(m) * b.at(m) + a.at(h) * b.at(h));
-  }
-  return sum;
-}
-
 BandWeights band_weights(const SpectralCurve& spd, const Bands& bands) {
-  const Observer& eye = cie_1931_observer();
-  const double total = spd.integral(kVisibleLow_nm, kVisibleHigh_nm);
+  const ObserverTables& eye = cie_1931_tables();
+  const LatticeValues power = on_lattice(spd);
   BandWeights weights;
-  weights.efficacy_lm_W =
-      kMaxEfficacy_lm_W * integral_of_product(eye.y, spd, kVisibleLow_nm, kVisibleHigh_nm) / total;
+  double total = 0.0, luminous = 0.0;
   for (std::size_t b = 0; b < bands.size(); ++b) {
-    const double low = bands.low_nm(b), high = bands.high_nm(b), in_band = spd.integral(low, high);
-    weights.share.push_back(in_band / total);
-    const auto response = [&](const SpectralCurve& function) {
-      return in_band > 0.0 ? integral_of_product(function, spd, low, high) / in_band : 0.0;
-    };
-    weights.x.push_back(response(eye.x));
-    weights.y.push_back(response(eye.y));
-    weights.z.push_back(response(eye.z));
+    double in_band = 0.0, x = 0.0, y = 0.0, z = 0.0;
+    for (std::size_t i = 0; i < kTableSize; ++i) {
+      const double part = power[i] * cell_overlap_nm(i, bands.low_nm(b), bands.high_nm(b));
+      in_band += part;
+      x += part * eye.x[i];
+      y += part * eye.y[i];
+      z += part * eye.z[i];
+    }
+    total += in_band;
+    luminous += y;
+    weights.share.push_back(in_band);
+    weights.x.push_back(in_band > 0.0 ? x / in_band : 0.0);
+    weights.y.push_back(in_band > 0.0 ? y / in_band : 0.0);
+    weights.z.push_back(in_band > 0.0 ? z / in_band : 0.0);
   }
+  for (auto& share : weights.share) share /= total;
+  weights.efficacy_lm_W = kMaxEfficacy_lm_W * luminous / total;
   return weights;
 }
 

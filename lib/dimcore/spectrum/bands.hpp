@@ -4,13 +4,12 @@
 #include <vector>
 
 #include "spectrum/curve.hpp"
+#include "spectrum/lattice.hpp"
 
 namespace dim {
 
 /// Luminous efficacy of monochromatic radiation at 540 THz, lm/W.
 inline constexpr double kMaxEfficacy_lm_W = 683.0;
-inline constexpr double kVisibleLow_nm = 380.0;
-inline constexpr double kVisibleHigh_nm = 780.0;
 
 /// Wavebands: band b reaches from edges_nm[b] to edges_nm[b + 1].
 struct Bands {
@@ -36,11 +35,9 @@ struct BandWeights {
   bool operator==(const BandWeights&) const = default;
 };
 
-/// Weights of a relative spectral power distribution.
+/// Weights of a relative spectral power distribution: sums every 5 nm, as CIE 15 forms tristimulus values; a
+/// band takes from each wavelength the part of its 5 nm that lies in the band.
 /// @param spd  any scale, >= 0, positive somewhere in the visible range (callers check input)
 BandWeights band_weights(const SpectralCurve& spd, const Bands& bands);
-
-/// Exact integral of the product of two piecewise-linear curves over [low_nm, high_nm].
-double integral_of_product(const SpectralCurve& a, const SpectralCurve& b, double low_nm, double high_nm);
 
 }  // namespace dim

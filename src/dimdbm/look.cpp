@@ -1,0 +1,322 @@
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "base/atomic_file.hpp"
+#include "base/input_file.hpp"
+#include "database/finish_figures.hpp"
+#include "database/surface_entry.hpp"
+#include "database/toml_reader.hpp"
+#include "dimdbm/commands.hpp"
+#include "spectrum/colour.hpp"
+#include "spectrum/named_spectra.hpp"
+#include "spectrum/white.hpp"
+
+namespace dim {
+namespace {
+
+constexpr double kFluxSlack = 0.02;
+const char* const kNoSource = "no source is named";
+
+struct EntryName {
+  std::string kind, name, path;
+};
+
+std::vector<EntryName> entries_of(const DatabaseSearch& search, const std::string& kind_wanted) {
+  std::vector<EntryName> entries;
+  for (const char* kind : {kFittings, kSurfaces}) {
+    if (kind_wanted != "all" && kind_wanted != kind) continue;
+    for (auto& name : search.names(kind)) {
+      auto path = search.find(kind, name);
+      entries.push_back({kind, name, path.value_or("")});
+    }
+  }
+  return entries;
+}
+
+/// What list and check know of an entry.
+struct EntryLine {
+  std::string kind, colour, spectrum_name, source, problem;
+  double flux_lm = NAN, max_cd = NAN, watts = NAN, share = NAN, cct_K = NAN;
+};
+
+std::string spectrum_words(const FittingEntry& entry) {
+  if (!entry.spectrum_name.empty()) return entry.spectrum_name;
+  return entry.spectrum ? "table" : "equal energy";
+}
+
+double cct_of(const SpectralCurve& spectrum) { return white_point(white_xyz(spectrum)).cct_K; }
+
+EntryLine fitting_line(const EntryName& entry, bool checked) {
+  Warnings warnings;
+  // Many entries name the same few spectra: they are looked up afterwards, each once.
+  const FittingRecord record = read_fitting_record(entry.path, entry.name, warnings, SpectrumNames::keep);
+  EntryLine line;
+  line.kind = "fitting";
+  line.spectrum_name = record.entry.spectrum_name;
+  line.flux_lm = record.photometry.flux_lm;
+  line.max_cd = record.photometry.max_cd;
+  line.watts = record.watts().value_or(NAN);
+  line.colour = spectrum_words(record.entry);
+  if (record.entry.spectrum) line.cct_K = cct_of(*record.entry.spectrum);
+  line.source = record.entry.source;
+  if (!checked) return line;
+  if (record.entry.source.empty()) line.problem = kNoSource;
+  if (!warnings.empty()) line.problem = warnings.front().what;
+  if (const auto declared = record.photometry.declared_flux_lm;
+      declared && std::abs(record.file_flux_lm / *declared - 1.0) > kFluxSlack)
+    line.problem = fmt::format("flux {:.6g} lm, declared {:.6g} lm", record.file_flux_lm, *declared);
+  return line;
+}
+
+EntryLine surface_line(const EntryName& entry, const SpectralCurve& d65, bool checked) {
+  const std::string text = read_text_file(entry.path, kMaxTomlBytes);
+  const Finish finish = read_surface_entry(text, entry.path, entry.name);
+  EntryLine line;
+  const bool glazing = finish.kind == FinishKind::glazing;
+  line.kind = glazing ? "glazing" : "opaque";
+  const Vec3 xyz = finish_xyz(finish, d65);
+  line.share = xyz.y;
+  const Vec2 xy = xy_of(xyz);
+  line.colour = std::isnan(xy.x) ? "" : fmt::format("x {:.3f} y {:.3f}", xy.x, xy.y);
+  const toml::table root = parse_toml(text, entry.path, {"surface", 1, false, {}});
+  line.source = root["source"].value_or(std::string());
+  if (!checked) return line;
+  if (line.source.empty()) line.problem = kNoSource;
+  for (double nm = 380; nm <= 780; nm += 5)
+    if (const double all = reflectance_at(finish, nm) + (glazing ? finish.transmittance.at(nm) : 0.0);
+        all > 1.0 + 1e-9) {
+      line.problem = fmt::format("returns {:.4f} of the light at {} nm", all, nm);
+      break;
+    }
+  return line;
+}
+
+/// Colour temperatures of the spectra that entries name; an unknown name is their problem.
+void look_up_spectra(std::vector<EntryLine>& lines) {
+  std::map<std::string, std::pair<double, std::string>> known;
+  for (auto& line : lines) {
+    if (line.spectrum_name.empty()) continue;
+    const auto [it, added] = known.try_emplace(line.spectrum_name, NAN, "");
+    if (added) {
+      try {
+        it->second.first = cct_of(find_spectrum(line.spectrum_name));
+      } catch (const InputError& error) {
+        it->second.second = error.problems().front().what;
+      }
+    }
+    line.cct_K = it->second.first;
+    if (line.problem.empty()) line.problem = it->second.second;
+  }
+}
+
+/// Reads all entries, several at once; an entry that cannot be read has a problem in place of figures.
+std::vector<EntryLine> read_lines(const std::vector<EntryName>& entries, bool checked) {
+  const SpectralCurve d65 = find_spectrum("d65");
+  std::vector<EntryLine> lines(entries.size());
+  tbb::parallel_for(std::size_t{0}, entries.size(), [&](std::size_t i) {
+    const auto& entry = entries[i];
+    try {
+      lines[i] = entry.kind == kFittings ? fitting_line(entry, checked) : surface_line(entry, d65, checked);
+    } catch (const InputError& error) {
+      lines[i].problem = to_string(error.problems().front());
+    } catch (const IoError& error) {
+      lines[i].problem = error.what();
+    }
+    if (lines[i].kind.empty()) lines[i].kind = entry.kind == kFittings ? "fitting" : "surface";
+  });
+  look_up_spectra(lines);
+  return lines;
+}
+
+std::string figure(double value, const char* form) {
+  return std::isnan(value) ? "" : fmt::format(fmt::runtime(form), value);
+}
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+const char* type_name(PhotometricType type) {
+  return type == PhotometricType::kC ? "C" : type == PhotometricType::kB ? "B" : "A";
+}
+
+const char* shape_name(OpeningShape shape) {
+  static const char* const kNames[] = {"point",   "line",  "rectangle",           "box",          "ellipse",
+                                       "vertical cylinder", "ellipsoid", "horizontal cylinder", "vertical ellipse"};
+  return kNames[static_cast<std::size_t>(shape)];
+}
+
+nlohmann::ordered_json json_of(const std::optional<double>& value) {
+  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+}
+
+nlohmann::ordered_json json_number(double value) {
+  return std::isnan(value) ? nlohmann::ordered_json() : nlohmann::ordered_json(value);
+}
+
+std::string lines_of(const nlohmann::ordered_json& json) {
+  std::string text;
+  for (const auto& [key, value] : json.items())
+    text += fmt::format("{:<24} {}\n", key, value.is_string() ? value.get<std::string>()
+                                            : value.is_null() ? "-"
+                                            : value.is_number_float() ? fmt::format("{:.6g}", value.get<double>())
+                                                                      : value.dump());
+  return text;
+}
+
+}  // namespace
+
+LookCommands::LookCommands(Program& program) : program_(program) {
+  list_ = program.add_command("list", "Every entry with its figures", "  dimdbm list --kind fittings");
+  show_ = program.add_command("show", "Everything about an entry or a photometric file",
+                              "  dimdbm show troffer-3600 --json\n  dimdbm show lamp.ldt");
+  check_ = program.add_command("check", "Looks through every entry: flux, albedo, sources named, files there",
+                               "  dimdbm check --db db");
+  show_->add_option("ENTRY|FILE", what_, "Entry, or an .ies, .ldt or entry's .toml file")->required()->type_name("");
+  for (auto* command : {list_, show_, check_}) {
+    add_look_option(*command, db_);
+    command->add_option("-o,--output", output_, "File to write, - for standard output")->type_name("FILE");
+    command->add_flag("--json", json_, "JSON in place of text");
+    if (command != show_) {
+      command->add_flag("--csv", csv_, "CSV in place of text");
+      command->add_option("--kind", kind_, "fittings, surfaces or all")->check(CLI::IsMember({"all", kFittings, kSurfaces}));
+    }
+    program.add_common_options(*command);
+  }
+}
+
+bool LookCommands::run(Exit& status) {
+  if (!list_->parsed() && !show_->parsed() && !check_->parsed()) return false;
+  if (json_ && csv_) throw UsageError("--json and --csv are two forms of the same table");
+  program_.check_output(output_, {what_});
+  if (list_->parsed())
+    list();
+  else if (show_->parsed())
+    show();
+  else
+    status = check();
+  return true;
+}
+
+void LookCommands::write_table(const Table& table) {
+  program_.stage(kWritingStage);
+  write_file(output_, json_ ? table.json() : table.csv());
+}
+
+void LookCommands::list() {
+  const auto entries = entries_of(look_in(db_), kind_);
+  const auto lines = read_lines(entries, false);
+  if (json_ || csv_) {
+    Table table({"name", "kind", "flux_lm", "max_intensity_cd", "watts", "reflectance_or_transmittance", "cct_K",
+                 "colour", "source"});
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const auto& l = lines[i];
+      table.add({entries[i].name, l.kind, l.flux_lm, l.max_cd, l.watts, l.share, l.cct_K, l.colour,
+                 l.problem.empty() ? l.source : "unreadable: " + first_line(l.problem)});
+    }
+    return write_table(table);
+  }
+  std::size_t longest = 4;
+  for (const auto& entry : entries) longest = std::max(longest, entry.name.size());
+  std::string text = fmt::format("{:<{}}  {:<8} {:>9} {:>9} {:>7} {:>7} {:>7}  {:<16} {}\n", "name", longest, "kind",
+                                 "lm", "cd", "W", "rho,tau", "CCT, K", "colour", "source");
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto& l = lines[i];
+    text += fmt::format("{:<{}}  {:<8} {:>9} {:>9} {:>7} {:>7} {:>7}  {:<16} {}\n", entries[i].name, longest, l.kind,
+                        figure(l.flux_lm, "{:.1f}"), figure(l.max_cd, "{:.1f}"), figure(l.watts, "{:g}"),
+                        figure(l.share, "{:.3f}"), figure(l.cct_K, "{:.0f}"), l.colour,
+                        l.problem.empty() ? l.source : "unreadable: " + first_line(l.problem));
+  }
+  program_.stage(kWritingStage);
+  write_file(output_, text);
+}
+
+Exit LookCommands::check() {
+  const auto entries = entries_of(look_in(db_), kind_);
+  const auto lines = read_lines(entries, true);
+  Table table({"name", "kind", "state", "problem"});
+  std::size_t n_bad = 0;
+  std::string text;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const bool good = lines[i].problem.empty();
+    if (!good) {
+      ++n_bad;
+      text += fmt::format("{} {}: {}\n", lines[i].kind, entries[i].name, first_line(lines[i].problem));
+    }
+    table.add({entries[i].name, lines[i].kind, std::string(good ? "good" : "bad"), first_line(lines[i].problem)});
+  }
+  text += fmt::format("{} entries, {} with a problem\n", entries.size(), n_bad);
+  if (json_ || csv_) {
+    write_table(table);
+  } else {
+    program_.stage(kWritingStage);
+    write_file(output_, text);
+  }
+  return n_bad == 0 ? Exit::done : Exit::check_failed;
+}
+
+void LookCommands::show() {
+  Warnings warnings;
+  const Found found = find_entry_or_file(look_in(db_), what_, warnings);
+  program_.warn(warnings);
+  if (const auto* record = found.fitting())
+    show_fitting(*record);
+  else
+    show_surface(*found.finish());
+}
+
+void LookCommands::show_fitting(const FittingRecord& record) {
+  const auto& p = record.photometry;
+  const auto& entry = record.entry;
+  const auto watts = record.watts();
+  nlohmann::ordered_json json = {
+      {"name", entry.name},
+      {"kind", "fitting"},
+      {"title", entry.title},
+      {"flux_lm", p.flux_lm},
+      {"file_flux_lm", record.file_flux_lm},
+      {"declared_flux_lm", json_of(p.declared_flux_lm)},
+      {"declared_lamp_flux_lm", json_of(p.declared_lamp_flux_lm)},
+      {"lamps", p.n_lamps},
+      {"max_intensity_cd", p.max_cd},
+      {"photometric_type", type_name(p.distribution.type)},
+      {"symmetry", symmetry_name(p.symmetry)},
+      {"opening_m", {p.opening.length_m, p.opening.width_m, p.opening.height_m}},
+      {"opening_shape", shape_name(p.opening.shape)},
+      {"watts", json_of(watts)},
+      {"efficacy_lm_W", watts && *watts > 0 ? nlohmann::ordered_json(p.flux_lm / *watts) : nlohmann::ordered_json()},
+      {"spectrum", spectrum_words(entry)},
+      {"cct_K", entry.spectrum ? json_number(cct_of(*entry.spectrum)) : nlohmann::ordered_json()},
+      {"lamp_factor", entry.lamp_factor},
+      {"maintenance_factor", entry.maintenance_factor},
+      {"format", p.format_year == 0 ? "EULUMDAT" : fmt::format("LM-63-{}", p.format_year)},
+      {"manufacturer", p.keyword("MANUFAC")},
+      {"catalogue", p.keyword("LUMCAT")},
+      {"file", entry.file},
+      {"source", entry.source},
+      {"licence", entry.licence}};
+  program_.stage(kWritingStage);
+  write_file(output_, json_ ? json.dump(1) + "\n" : lines_of(json));
+}
+
+void LookCommands::show_surface(const Finish& finish) {
+  const bool glazing = finish.kind == FinishKind::glazing;
+  const Vec3 xyz = finish_xyz(finish, find_spectrum("d65"));
+  const Vec2 xy = xy_of(xyz);
+  nlohmann::ordered_json json = {
+      {"name", finish.name},
+      {"kind", glazing ? "glazing" : "opaque"},
+      {glazing ? "luminous_transmittance" : "luminous_reflectance", xyz.y},
+      {"specular", finish.specular},
+      {"roughness", finish.roughness},
+      {"cie_x", json_number(xy.x)},
+      {"cie_y", json_number(xy.y)},
+      {"illuminant", "d65"}};
+  program_.stage(kWritingStage);
+  write_file(output_, json_ ? json.dump(1) + "\n" : lines_of(json));
+}
+
+}  // namespace dim
