@@ -6,7 +6,7 @@ setup() { load common; enter_copy; }
 
 @test "every program and command has help with an example and the exit status" {
   for command in dimdis "dimdis check" "dimdis areas" "dimdis viewfactors" "dimdis draw" dimray dimout \
-    "dimout info" "dimout surfaces" "dimout cells" "dimout grid" "dimout image"; do
+    "dimout info" "dimout surfaces" "dimout cells" "dimout grid" "dimout colour" "dimout image"; do
     run --separate-stderr $command --help
     echo "$command: $output $stderr"
     [ "$status" -eq 0 ]
@@ -34,6 +34,8 @@ setup() { load common; enter_copy; }
   [ "$(head1 dimout grid room.lum --by source)" = source,plane,point,x_m,y_m,z_m,nx,ny,nz,illuminance_lx ]
   [ "$(head1 dimout grid room.lum --stats)" = plane,points,min_lx,mean_lx,max_lx,u0,ud ]
   [ "$(head1 dimout grid room.lum --stats --by source)" = source,plane,points,min_lx,mean_lx,max_lx,u0,ud ]
+  [ "$(head1 dimout colour room.lum)" = plane,point,x_m,y_m,z_m,illuminance_lx,cie_x,cie_y,cie_u_prime,cie_v_prime,cct_K,duv,ra,melanopic_edi_lx ]
+  [ "$(head1 dimout colour room.lum --surfaces --by source)" = source,surface,illuminance_mean_lx,cie_x,cie_y,cie_u_prime,cie_v_prime,cct_K,duv,ra,melanopic_edi_lx ]
   [ "$(head1 dimdis areas room.zone.toml)" = surface,area_m2,cells ]
   [ "$(head1 dimdis viewfactors room.zone.toml --rays 1000)" = from,to,view_factor ]
 }
@@ -66,7 +68,7 @@ setup() { load common; enter_copy; }
 }
 
 @test "JSON holds the same columns and figures as CSV" {
-  for table in "surfaces room.lum" "surfaces room.lum --by source" "cells room.lum" "grid room.lum" "grid room.lum --stats"; do
+  for table in "surfaces room.lum" "surfaces room.lum --by source" "cells room.lum" "grid room.lum" "grid room.lum --stats" "colour room.lum" "colour room.lum --surfaces"; do
     dimout $table > t.csv
     dimout $table --json > t.json
     diff <(sed -n 1p t.csv) <(jq -r '.[0] | keys_unsorted | join(",")' t.json)
