@@ -4,6 +4,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/input_file.hpp"
+#include "common/database_option.hpp"
 #include "database/entry_name.hpp"
 #include "database/toml_reader.hpp"
 #include "dimdbm/commands.hpp"
@@ -91,7 +92,7 @@ ExportCommand::ExportCommand(Program& program) : program_(program) {
   export_->add_option("-o,--output", output_, "File to write, - for standard output")->type_name("FILE");
   export_->add_option("--format", format_, "ies, ldt or toml; from the output's ending unless said")
       ->check(CLI::IsMember({"ies", "ldt", "toml"}));
-  add_look_option(*export_, db_);
+  add_database_option(*export_, db_);
   program.add_common_options(*export_);
 }
 
@@ -104,7 +105,7 @@ bool ExportCommand::run() {
   if (format.empty()) throw UsageError("--format is needed where -o does not end in .ies, .ldt or .toml");
   program_.check_output(output_, {what_});
   Warnings warnings;
-  const Found found = find_entry_or_file(look_in(db_), what_, warnings);
+  const Found found = find_entry_or_file(database_search(db_, "-"), what_, warnings);
   const FittingRecord* record = found.fitting();
   if (!record && format != "toml")
     throw InputError(

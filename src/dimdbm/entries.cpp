@@ -29,19 +29,13 @@ bool names_kind(const std::string& name, const std::string& kind, std::string& r
 
 }  // namespace
 
-void add_look_option(CLI::App& app, std::string& folder) {
-  app.add_option("--db", folder, "Database folder, in place of db/ here and the installed one")
-      ->type_name("DIR")
-      ->group("Input");
-}
-
 void add_manage_option(CLI::App& app, std::string& folder) {
   app.add_option("--db", folder, "Database folder to change; db in the current folder unless said")
       ->type_name("DIR")
       ->group("Input");
 }
 
-DatabaseSearch look_in(const std::string& option) {
+DatabaseSearch databases_to_list(const std::string& option) {
   DatabaseSearch search = database_search(option, "-");
   if (!option.empty()) search.folders.resize(1);
   return search;

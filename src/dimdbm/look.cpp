@@ -8,6 +8,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/input_file.hpp"
+#include "common/database_option.hpp"
 #include "database/finish_figures.hpp"
 #include "database/surface_entry.hpp"
 #include "database/toml_reader.hpp"
@@ -160,14 +161,18 @@ nlohmann::ordered_json json_number(double value) {
   return std::isnan(value) ? nlohmann::ordered_json() : nlohmann::ordered_json(value);
 }
 
+std::string words_of(const nlohmann::ordered_json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number_float()) return fmt::format("{:.6g}", value.get<double>());
+  if (!value.is_array()) return value.is_null() ? "-" : value.dump();
+  std::string words;
+  for (const auto& one : value) words += (words.empty() ? "" : " x ") + words_of(one);
+  return words;
+}
+
 std::string lines_of(const nlohmann::ordered_json& json) {
   std::string text;
-  for (const auto& [key, value] : json.items())
-    text += fmt::format("{:<24} {}\n", key,
-                        value.is_string()         ? value.get<std::string>()
-                        : value.is_null()         ? "-"
-                        : value.is_number_float() ? fmt::format("{:.6g}", value.get<double>())
-                                                  : value.dump());
+  for (const auto& [key, value] : json.items()) text += fmt::format("{:<24} {}\n", key, words_of(value));
   return text;
 }
 
@@ -183,7 +188,7 @@ LookCommands::LookCommands(Program& program) : program_(program) {
       ->required()
       ->type_name("");
   for (auto* command : {list_, show_, check_}) {
-    add_look_option(*command, db_);
+    add_database_option(*command, db_);
     command->add_option("-o,--output", output_, "File to write, - for standard output")->type_name("FILE");
     command->add_flag("--json", json_, "JSON in place of text");
     if (command != show_) {
@@ -214,7 +219,7 @@ void LookCommands::write_table(const Table& table) {
 }
 
 void LookCommands::list() {
-  const auto entries = entries_of(look_in(db_), kind_);
+  const auto entries = entries_of(databases_to_list(db_), kind_);
   const auto lines = read_lines(entries, false);
   if (json_ || csv_) {
     Table table({"name", "kind", "flux_lm", "max_intensity_cd", "watts", "reflectance_or_transmittance",
@@ -242,7 +247,7 @@ void LookCommands::list() {
 }
 
 Exit LookCommands::check() {
-  const auto entries = entries_of(look_in(db_), kind_);
+  const auto entries = entries_of(databases_to_list(db_), kind_);
   const auto lines = read_lines(entries, true);
   Table table({"name", "kind", "state", "problem"});
   std::size_t n_bad = 0;
@@ -268,7 +273,7 @@ Exit LookCommands::check() {
 
 void LookCommands::show() {
   Warnings warnings;
-  const Found found = find_entry_or_file(look_in(db_), what_, warnings);
+  const Found found = find_entry_or_file(database_search(db_, "-"), what_, warnings);
   program_.warn(warnings);
   if (const auto* record = found.fitting())
     show_fitting(*record);

@@ -4,6 +4,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/version.hpp"
+#include "common/database_option.hpp"
 #include "database/finish_figures.hpp"
 #include "dimdbm/commands.hpp"
 #include "image/colour_space.hpp"
@@ -63,7 +64,7 @@ PlotCommand::PlotCommand(Program& program) : program_(program) {
                    "Picture; its ending says the format: svg, png; - for SVG on standard output")
       ->required()
       ->type_name("FILE");
-  add_look_option(*plot_, db_);
+  add_database_option(*plot_, db_);
   program.add_common_options(*plot_);
 }
 
@@ -75,7 +76,7 @@ bool PlotCommand::run() {
   if (!png && !svg) throw UsageError("-o '" + output_ + "': the name must end in .svg or .png");
   program_.check_output(output_, {what_});
   Warnings warnings;
-  const Drawing drawing = drawing_of(find_entry_or_file(look_in(db_), what_, warnings));
+  const Drawing drawing = drawing_of(find_entry_or_file(database_search(db_, "-"), what_, warnings));
   program_.warn(warnings);
   program_.stage(kWritingStage);
   if (svg) {
