@@ -44,7 +44,7 @@ std::vector<std::string> own_files(const std::string& folder, const std::string&
 RemoveCommand::RemoveCommand(Program& program) : program_(program) {
   remove_ = program.add_command("remove", "Removes entries and the photometric files that only they use",
                                 "  dimdbm remove old-lamp");
-  remove_->add_option("ENTRY", names_, "Entries to remove")->required()->type_name("");
+  remove_->add_option("ENTRY", names_, "Entries to remove")->required()->type_name("")->default_str("");
   remove_->add_option("--kind", kind_, "fittings or surfaces, where both have an entry of this name")
       ->check(CLI::IsMember({"any", kFittings, kSurfaces}));
   add_manage_option(*remove_, db_);

@@ -13,6 +13,7 @@
 #include "database/surface_entry.hpp"
 #include "database/toml_reader.hpp"
 #include "dimdbm/commands.hpp"
+#include "photometry/text_scanner.hpp"
 #include "spectrum/colour.hpp"
 #include "spectrum/named_spectra.hpp"
 #include "spectrum/white.hpp"
@@ -138,7 +139,8 @@ std::string figure(double value, const char* form) {
   return std::isnan(value) ? "" : fmt::format(fmt::runtime(form), value);
 }
 
-std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+// Safe to print: names and sources may hold anything.
+std::string first_line(const std::string& text) { return to_utf8(text.substr(0, text.find('\n'))); }
 
 const char* type_name(PhotometricType type) {
   return type == PhotometricType::kC ? "C" : type == PhotometricType::kB ? "B" : "A";
@@ -227,7 +229,7 @@ void LookCommands::list() {
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const auto& l = lines[i];
       table.add({entries[i].name, l.kind, l.flux_lm, l.max_cd, l.watts, l.share, l.cct_K, l.colour,
-                 l.problem.empty() ? l.source : "unreadable: " + first_line(l.problem)});
+                 l.problem.empty() ? first_line(l.source) : "unreadable: " + first_line(l.problem)});
     }
     return write_table(table);
   }
@@ -237,10 +239,11 @@ void LookCommands::list() {
                                  "kind", "lm", "cd", "W", "rho,tau", "CCT, K", "colour", "source");
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const auto& l = lines[i];
-    text += fmt::format("{:<{}}  {:<8} {:>9} {:>9} {:>7} {:>7} {:>7}  {:<16} {}\n", entries[i].name, longest,
-                        l.kind, figure(l.flux_lm, "{:.1f}"), figure(l.max_cd, "{:.1f}"),
-                        figure(l.watts, "{:g}"), figure(l.share, "{:.3f}"), figure(l.cct_K, "{:.0f}"),
-                        l.colour, l.problem.empty() ? l.source : "unreadable: " + first_line(l.problem));
+    text +=
+        fmt::format("{:<{}}  {:<8} {:>9} {:>9} {:>7} {:>7} {:>7}  {:<16} {}\n", first_line(entries[i].name),
+                    longest, l.kind, figure(l.flux_lm, "{:.1f}"), figure(l.max_cd, "{:.1f}"),
+                    figure(l.watts, "{:g}"), figure(l.share, "{:.3f}"), figure(l.cct_K, "{:.0f}"), l.colour,
+                    l.problem.empty() ? first_line(l.source) : "unreadable: " + first_line(l.problem));
   }
   program_.stage(kWritingStage);
   write_file(output_, text);
@@ -256,7 +259,8 @@ Exit LookCommands::check() {
     const bool good = lines[i].problem.empty();
     if (!good) {
       ++n_bad;
-      text += fmt::format("{} {}: {}\n", lines[i].kind, entries[i].name, first_line(lines[i].problem));
+      text += fmt::format("{} {}: {}\n", lines[i].kind, first_line(entries[i].name),
+                          first_line(lines[i].problem));
     }
     table.add(
         {entries[i].name, lines[i].kind, std::string(good ? "good" : "bad"), first_line(lines[i].problem)});

@@ -15,7 +15,7 @@ setup() {
   [[ "$output" == *paint-white-matt*opaque*0.84* ]]
   run -0 dimdbm list --csv --kind fittings
   [ "${lines[0]}" = "name,kind,flux_lm,max_intensity_cd,watts,reflectance_or_transmittance,cct_K,colour,source" ]
-  dimdbm list --json | python3 -m json.tool > /dev/null
+  [ "$(dimdbm list --json | grep -c '"name":')" -ge 27 ]
 }
 
 @test "show --json has the keys that scripts rely on" {
