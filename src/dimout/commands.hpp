@@ -27,7 +27,8 @@ void add_table_options(CLI::App& command, DatabaseInput& input, bool by_source);
 /// The factors that --mix asks for.
 Mix mix_of(const LuminanceDatabase& database, const DatabaseInput& input);
 
-/// Calls `each` once with all sources mixed, or with --by source once a source; the name is empty for the mix.
+/// Calls `each` once with all sources mixed, or with --by source once a source; the name is empty for the
+/// mix.
 void for_sources(const LuminanceDatabase& database, const DatabaseInput& input,
                  const std::function<void(const std::string& source, const Mix& mix)>& each);
 
@@ -35,6 +36,13 @@ void write_table(Program& program, const Table& table, const DatabaseInput& inpu
 
 /// A column list with `source` in front where --by source asks for it.
 std::vector<std::string> columns_with_source(const DatabaseInput& input, std::vector<std::string> columns);
+
+/// A row of such a table: the source in front where there is one.
+std::vector<Table::Value> row_with_source(const std::string& source, std::vector<Table::Value> values);
+
+/// The measuring planes and sensors of that name; all for an empty one.
+/// @throws InputError  no such name, about the file of that path
+std::vector<PointSet> chosen_sets(const Zone& zone, const std::string& name, const std::string& path);
 
 /// info, surfaces, cells and grid.
 class TableCommands {
@@ -49,7 +57,6 @@ class TableCommands {
   void cells();
   void grid();
   void grid_stats(const LuminanceDatabase& database, const std::vector<PointSet>& sets);
-  std::vector<PointSet> chosen_sets(const Zone& zone) const;
 
   Program& program_;
   DatabaseInput input_;

@@ -5,10 +5,12 @@
 
 namespace dim {
 
-CLI::App* add_command(Program& program, DatabaseInput& input, const std::string& name, const std::string& what,
-                      const std::string& example) {
+CLI::App* add_command(Program& program, DatabaseInput& input, const std::string& name,
+                      const std::string& what, const std::string& example) {
   auto* command = program.add_command(name, what, "  " + example);
-  command->add_option("ROOM.lum", input.path, "Luminance database, - for standard input")->required()->type_name("");
+  command->add_option("ROOM.lum", input.path, "Luminance database, - for standard input")
+      ->required()
+      ->type_name("");
   command
       ->add_option("--mix", input.mix, "Factor on a source or a group of sources, repeatable; others stay 1")
       ->type_name("NAME=FACTOR")
@@ -48,6 +50,21 @@ void for_sources(const LuminanceDatabase& database, const DatabaseInput& input,
 void write_table(Program& program, const Table& table, const DatabaseInput& input) {
   program.stage(kWritingStage);
   write_file(input.output, input.json ? table.json() : table.csv());
+}
+
+std::vector<Table::Value> row_with_source(const std::string& source, std::vector<Table::Value> values) {
+  if (!source.empty()) values.insert(values.begin(), source);
+  return values;
+}
+
+std::vector<PointSet> chosen_sets(const Zone& zone, const std::string& name, const std::string& path) {
+  if (name.empty()) return zone.point_sets;
+  std::vector<std::string> names;
+  for (const auto& set : zone.point_sets) {
+    if (set.name == name) return {set};
+    names.push_back(set.name);
+  }
+  throw InputError({{path, 0, 0}, "no measuring plane or sensors '" + name + "'", name_cure(name, names)});
 }
 
 std::vector<std::string> columns_with_source(const DatabaseInput& input, std::vector<std::string> columns) {

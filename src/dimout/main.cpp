@@ -1,4 +1,4 @@
-#include "dimout/commands.hpp"
+#include "dimout/colour.hpp"
 
 int main(int argc, char** argv) {
   dim::Program program("dimout", "Tables and pictures from a luminance database.",
@@ -7,9 +7,10 @@ int main(int argc, char** argv) {
   program.app().require_subcommand(1);
   program.add_common_options(program.app(), true);
   dim::TableCommands tables(program);
+  dim::ColourCommand colour(program);
   dim::ImageCommand image(program);
   return program.run(argc, argv, [&] {
-    tables.run() || image.run();
+    tables.run() || colour.run() || image.run();
     return dim::Exit::done;
   });
 }

@@ -11,12 +11,6 @@
 namespace dim {
 namespace {
 
-// Values of a row with the source in front where there is one.
-std::vector<Table::Value> row(const std::string& source, std::vector<Table::Value> values) {
-  if (!source.empty()) values.insert(values.begin(), source);
-  return values;
-}
-
 double chromaticity(const Vec3& xyz, int axis) {
   const double sum = xyz.x + xyz.y + xyz.z;
   return sum > 0.0 ? xyz[axis] / sum : std::nan("");
@@ -108,9 +102,10 @@ void TableCommands::surfaces() {
     for (std::size_t s = 0; s < figures.size(); ++s) {
       if (database.zone().surfaces[s].outside) continue;
       const auto& f = figures[s];
-      table.add(row(source, {database.zone().surfaces[s].name, f.area_m2, f.illuminance_mean_lx,
-                             f.illuminance_min_lx, f.illuminance_max_lx, f.xyz_mean_cd_m2.y,
-                             chromaticity(f.xyz_mean_cd_m2, 0), chromaticity(f.xyz_mean_cd_m2, 1)}));
+      table.add(
+          row_with_source(source, {database.zone().surfaces[s].name, f.area_m2, f.illuminance_mean_lx,
+                                   f.illuminance_min_lx, f.illuminance_max_lx, f.xyz_mean_cd_m2.y,
+                                   chromaticity(f.xyz_mean_cd_m2, 0), chromaticity(f.xyz_mean_cd_m2, 1)}));
     }
   });
   write_table(program_, table, input_);
@@ -131,21 +126,10 @@ void TableCommands::cells() {
   write_table(program_, table, input_);
 }
 
-std::vector<PointSet> TableCommands::chosen_sets(const Zone& zone) const {
-  if (plane_.empty()) return zone.point_sets;
-  std::vector<std::string> names;
-  for (const auto& set : zone.point_sets) {
-    if (set.name == plane_) return {set};
-    names.push_back(set.name);
-  }
-  throw InputError(
-      {{input_.path, 0, 0}, "no measuring plane or sensors '" + plane_ + "'", name_cure(plane_, names)});
-}
-
 void TableCommands::grid() {
   const LuminanceDatabase database(input_.path, program_.job());
   const Zone& zone = database.zone();
-  const auto sets = chosen_sets(zone);
+  const auto sets = chosen_sets(zone, plane_, input_.path);
   if (sets.empty()) program_.say("the zone has no measuring planes or sensors");
   if (stats_) return grid_stats(database, sets);
   Table table(columns_with_source(
@@ -155,8 +139,8 @@ void TableCommands::grid() {
     for (const auto& set : sets) {
       for (std::size_t p = set.first; p < set.first + set.count; ++p) {
         const Vec3 at = zone.points[p].position + zone.origin_m, n = zone.points[p].normal;
-        table.add(row(source,
-                      {set.name, static_cast<long>(p - set.first), at.x, at.y, at.z, n.x, n.y, n.z, lx[p]}));
+        table.add(row_with_source(
+            source, {set.name, static_cast<long>(p - set.first), at.x, at.y, at.z, n.x, n.y, n.z, lx[p]}));
       }
     }
   });
@@ -169,8 +153,8 @@ void TableCommands::grid_stats(const LuminanceDatabase& database, const std::vec
     const auto lx = point_illuminance_lx(database, mix);
     for (const auto& set : sets) {
       const auto s = grid_statistics(lx, set);
-      table.add(
-          row(source, {set.name, static_cast<long>(s.n_points), s.min_lx, s.mean_lx, s.max_lx, s.u0, s.ud}));
+      table.add(row_with_source(
+          source, {set.name, static_cast<long>(s.n_points), s.min_lx, s.mean_lx, s.max_lx, s.u0, s.ud}));
     }
   });
   write_table(program_, table, input_);

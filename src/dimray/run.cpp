@@ -9,6 +9,7 @@
 #include "common/in_file.hpp"
 #include "common/option_checks.hpp"
 #include "database/surface_entry.hpp"
+#include "dimray/band_option.hpp"
 #include "result/database.hpp"
 #include "scene/lights_reader.hpp"
 
@@ -76,15 +77,13 @@ SolveCommand::SolveCommand(Program& program) : program_(program) {
       ->check(number_within(1e-12, 0.5))
       ->type_name("SHARE")
       ->group("Accuracy");
-  app.add_option("--bands", n_bands_, "Number of equal wavebands over 380-780 nm")
-      ->check(CLI::Range(1, 400))
-      ->group("Accuracy");
+  add_bands_option(app, bands_);
   program.add_common_options(app);
 }
 
-SimulationOptions SolveCommand::options() const {
+SimulationOptions SolveCommand::options(const Zone& zone, const Lights& lights) {
   SimulationOptions options;
-  options.bands = Bands::uniform(n_bands_);
+  options.bands = chosen_bands(program_, bands_, zone, lights);
   options.combine =
       combine_ == "each" ? Combine::each : (combine_ == "group" ? Combine::group : Combine::all);
   options.gather.tolerance = tolerance_;
@@ -116,8 +115,9 @@ Exit SolveCommand::run() {
   program_.stage("solve");
   const Job job = program_.job();
   Warnings warnings;
+  const SimulationOptions chosen = options(rays.zone, all_lights);
   const Solution solution = in_file(
-      rays_, [&] { return simulate(rays.zone, cells, rays.network, all_lights, options(), job, warnings); });
+      rays_, [&] { return simulate(rays.zone, cells, rays.network, all_lights, chosen, job, warnings); });
   program_.warn(warnings);
   program_.stage(kWritingStage);
   const std::string hash = save_lum(output_, rays.zone, cells, all_lights, solution, rays.hash, job);
@@ -166,6 +166,7 @@ Exit SolveCommand::report(const RaysFile& rays, const Solution& solution, const 
   stats["cells"] = solution.n_cells;
   stats["points"] = solution.n_points;
   stats["bands"] = solution.bands.size();
+  stats["band_edges_nm"] = solution.bands.edges_nm;
   stats["reflectance_classes"] = solution.n_reflectance_classes;
   stats["iterations"] = iterations;
   stats["residual"] = residual;

@@ -17,7 +17,7 @@ class SolveCommand {
   Exit run();
 
  private:
-  SimulationOptions options() const;
+  SimulationOptions options(const Zone& zone, const Lights& lights);
   Lights lights(const Zone& zone, const DatabaseSearch& search);
   Exit report(const RaysFile& rays, const Solution& solution, const std::string& hash);
 
@@ -30,7 +30,7 @@ class SolveCommand {
   std::string database_;
   std::string combine_ = "each";
   double tolerance_ = GatherOptions{}.tolerance;
-  int n_bands_ = 1;
+  std::string bands_ = "1";
 };
 
 }  // namespace dim

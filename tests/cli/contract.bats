@@ -6,8 +6,8 @@ setup() { load common; enter_copy; }
 
 @test "every program and command has help with an example and the exit status" {
   for command in dimdis "dimdis check" "dimdis areas" "dimdis viewfactors" "dimdis draw" dimray dimout \
-    "dimout info" "dimout surfaces" "dimout cells" "dimout grid" "dimout image" dimdbm "dimdbm list" "dimdbm show" \
-    "dimdbm plot" "dimdbm add" "dimdbm remove" "dimdbm check" "dimdbm export"; do
+    "dimout info" "dimout surfaces" "dimout cells" "dimout grid" "dimout colour" "dimout image" dimdbm "dimdbm list" \
+    "dimdbm show" "dimdbm plot" "dimdbm add" "dimdbm remove" "dimdbm check" "dimdbm export"; do
     run --separate-stderr $command --help
     echo "$command: $output $stderr"
     [ "$status" -eq 0 ]
@@ -35,6 +35,8 @@ setup() { load common; enter_copy; }
   [ "$(head1 dimout grid room.lum --by source)" = source,plane,point,x_m,y_m,z_m,nx,ny,nz,illuminance_lx ]
   [ "$(head1 dimout grid room.lum --stats)" = plane,points,min_lx,mean_lx,max_lx,u0,ud ]
   [ "$(head1 dimout grid room.lum --stats --by source)" = source,plane,points,min_lx,mean_lx,max_lx,u0,ud ]
+  [ "$(head1 dimout colour room.lum)" = plane,point,x_m,y_m,z_m,illuminance_lx,cie_x,cie_y,cie_u_prime,cie_v_prime,cct_K,duv,ra,melanopic_edi_lx ]
+  [ "$(head1 dimout colour room.lum --surfaces --by source)" = source,surface,illuminance_mean_lx,cie_x,cie_y,cie_u_prime,cie_v_prime,cct_K,duv,ra,melanopic_edi_lx ]
   [ "$(head1 dimdis areas room.zone.toml)" = surface,area_m2,cells ]
   [ "$(head1 dimdis viewfactors room.zone.toml --rays 1000)" = from,to,view_factor ]
 }
@@ -67,7 +69,7 @@ setup() { load common; enter_copy; }
 }
 
 @test "JSON holds the same columns and figures as CSV" {
-  for table in "surfaces room.lum" "surfaces room.lum --by source" "cells room.lum" "grid room.lum" "grid room.lum --stats"; do
+  for table in "surfaces room.lum" "surfaces room.lum --by source" "cells room.lum" "grid room.lum" "grid room.lum --stats" "colour room.lum" "colour room.lum --surfaces"; do
     dimout $table > t.csv
     dimout $table --json > t.json
     diff <(sed -n 1p t.csv) <(jq -r '.[0] | keys_unsorted | join(",")' t.json)
@@ -120,6 +122,27 @@ near() { awk -v a="$1" -v b="$2" 'BEGIN { d = a - b; if (d < 0) d = -d; exit !(d
       awk -F, 'NR > 1 { d = $9 / $18 - 1; if (d < -3e-4 || d > 3e-4) { print; bad = 1 } } END { exit bad }'
   done
   cmp each.lum room.lum
+}
+
+@test "--bands takes a number, edges, or finds the fewest" {
+  dimray room.rays room.lights.toml -q -o b.lum --bands 380,480,580,780
+  [ "$(dimout info b.lum --json | jq -c .bands_nm)" = "[380,480,580,780]" ]
+  # The room is grey: one band, and the very same file.
+  run --separate-stderr dimray room.rays room.lights.toml -o auto.lum --bands auto
+  [[ "$stderr" == *"1 waveband: colours within dE00 0.00, luminances within 0.00 %"* ]]
+  dimray room.rays room.lights.toml -q -o one.lum --bands 1
+  cmp auto.lum one.lum
+  dimdis room.zone.toml -q --patches 64 --set 'finishes.dark={diffuse=[[380,0.05],[580,0.06],[620,0.6],[780,0.7]]}' -o red.rays
+  dimray red.rays room.lights.toml -q -o red.lum --bands auto --stats s.json || [ $? -eq 1 ]
+  jq -e '.bands > 2 and .bands < 40 and .band_edges_nm[0] == 380 and .band_edges_nm[-1] == 780' s.json > /dev/null
+}
+
+@test "a spectrum by name colours the light; an unknown one is refused" {
+  dimray room.rays room.lights.toml -q -o a.lum --set luminaire.P.spectrum=cie-a --set luminaire.spot.spectrum=cie-a
+  # Grey surfaces show the light's own chromaticity: CIE 15, x 0.4476, y 0.4074.
+  dimout surfaces a.lum | awk -F, 'NR > 1 && (($7 - 0.44758) ^ 2 + ($8 - 0.40745) ^ 2 > 1e-9) { print; bad = 1 } END { exit bad || NR < 2 }'
+  refused 3 "no spectrum is called 'led-b9'.*did you mean 'led-b1'" dimray room.rays room.lights.toml -o x.lum --set luminaire.spot.spectrum=led-b9
+  refused 3 "led-9000': 9000 K is outside 2733 to 6597 K" dimray room.rays room.lights.toml -o x.lum --set luminaire.spot.spectrum=led-9000
 }
 
 @test "--set overrides the zone and the lights" {
@@ -214,6 +237,9 @@ near() { awk -v a="$1" -v b="$2" 'BEGIN { d = a - b; if (d < 0) d = -d; exit !(d
   refused 2 "tolerance" dimray room.rays room.lights.toml -o x.lum --tolerance nan
   refused 2 "tolerance" dimray room.rays room.lights.toml -o x.lum --tolerance 0
   refused 2 "bands" dimray room.rays room.lights.toml -o x.lum --bands 0
+  for bands in -1 401 2.5 many 380,780,500 400,780 380,380,780 380,x,780 ,; do
+    refused 2 "auto, a number of bands within 1..400, or ascending edges from 380 to 780" dimray room.rays room.lights.toml -o x.lum --bands=$bands
+  done
   refused 2 "threads" dimray room.rays room.lights.toml -o x.lum --threads -1
   refused 2 "db" dimray room.rays room.lights.toml -o x.lum --db nowhere
   refused 2 "subcommand" dimout

@@ -89,7 +89,7 @@ TEST_CASE("Spectra that cannot be are refused with value, range and cure", "[dat
   const std::string at = "oak.toml:1:";
   starts("diffuse = [[380, 0.2], [550, 14], [780, 0.3]]\n",
          at + "30: diffuse must be at least 0 and less than 1, not 14 at 550 nm\n        in percent? write "
-              "0.014");
+              "0.14");
   starts("diffuse = [[380, 0.2], [780, -0.1]]\n",
          at + "30: diffuse must be at least 0 and less than 1, not -0.1 at 780 nm");
   starts("diffuse = 84\n",

@@ -1,5 +1,7 @@
 #include "geometry/ray_caster.hpp"
 
+#include <tbb/global_control.h>
+
 #include <random>
 
 #include "catch.hpp"
@@ -81,4 +83,14 @@ TEST_CASE("A plate with an open back lets rays from behind pass", "[geometry][un
   CHECK(RayCaster({{&sheet, false}}, 5.0).nearest({1, 1, -1}, {0, 0, 1}).back);
   CHECK(RayCaster({{&sheet, true}}, 5.0).nearest({1, 1, -1}, {0, 0, 1}).plate == -1);
   CHECK(RayCaster({{&sheet, true}}, 5.0).nearest({1, 1, 1}, {0, 0, -1}).plate == 0);
+}
+
+TEST_CASE("A ray caster leaves the number of threads alone", "[geometry][unit]") {
+  const auto allowed = [] {
+    return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  };
+  const auto before = allowed();
+  const auto room = box_m({0, 0, 0}, {1, 1, 1});
+  const RayCaster caster(plates(room), 2.0);
+  CHECK(allowed() == before);
 }

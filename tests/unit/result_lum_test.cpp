@@ -4,6 +4,7 @@
 #include "catch.hpp"
 #include "property/transport_support.hpp"
 #include "result/luminous.hpp"
+#include "result/spectra_storage.hpp"
 #include "scene/zone_storage.hpp"
 #include "unit/files_support.hpp"
 
@@ -103,6 +104,9 @@ TEST_CASE("A luminance database gives back what was solved", "[result][unit]") {
     const auto at_points = database.point_irradiance(s);
     CHECK(std::equal(at_points.begin(), at_points.end(), &solution.point_total[solution.point_row(s, 0)]));
   }
+  REQUIRE(database.spectra().size() == 2);
+  CHECK(database.spectra()[0].points() == lights.fittings[0].spectrum.points());
+  CHECK(database.spectra()[1].points() == lights.fittings[1].spectrum.points());
   REQUIRE(database.luminaires().size() == 2);
   const auto& shown = database.luminaires()[1];
   CHECK(shown.name == "panel");
@@ -157,4 +161,34 @@ TEST_CASE("A forged luminance database is refused", "[result][unit]") {
   CHECK_FALSE(refusal([](Json& j) { j["sources"] = Json::array(); }, path).empty());
   CHECK_FALSE(refusal([](Json& j) { j["sources"].push_back(j["sources"][0]); }, path).empty());
   CHECK_FALSE(refusal([](Json&) {}, path, 5).empty());  // areas of five cells, irradiances of six
+}
+
+TEST_CASE("A database without spectra is read, one with spectra that cannot be is refused",
+          "[result][unit]") {
+  const Folder folder;
+  const std::string path = folder / "a.lum";
+  const auto read = [&](std::vector<std::uint32_t> of_source, std::vector<std::uint64_t> first,
+                        std::vector<double> points) {
+    Hdf5Writer file("lum", kLumVersion);
+    if (!of_source.empty()) {
+      file.dataset<std::uint32_t>("/spectra/of_source", of_source, {of_source.size()}, "1");
+      file.dataset<std::uint64_t>("/spectra/first", first, {first.size()}, "1");
+      file.dataset<double>("/spectra/point", points, {points.size() / 2, 2}, "nm, 1");
+    }
+    std::move(file).write(path);
+    std::size_t n = 0;
+    const std::string refused =
+        io_error([&] { n = load_spectra(Hdf5Reader(path, "lum", kLumVersion), path, 1).size(); });
+    return std::pair(refused.empty(), n);
+  };
+  CHECK(read({}, {}, {}) == std::pair(true, std::size_t{0}));
+  CHECK(read({0}, {0, 2}, {400, 1, 700, 2}) == std::pair(true, std::size_t{1}));
+  CHECK_FALSE(read({1}, {0, 2}, {400, 1, 700, 2}).first);     // no such spectrum
+  CHECK_FALSE(read({0, 0}, {0, 2}, {400, 1, 700, 2}).first);  // more sources than there are
+  CHECK_FALSE(read({0}, {0, 3}, {400, 1, 700, 2}).first);     // more points than there are
+  CHECK_FALSE(read({0}, {2, 0}, {400, 1, 700, 2}).first);     // backwards
+  CHECK_FALSE(read({0}, {0, 0}, {400, 1, 700, 2}).first);     // no points
+  CHECK_FALSE(read({0}, {0, 2}, {700, 1, 400, 2}).first);     // descending
+  CHECK_FALSE(read({0}, {0, 2}, {400, -1, 700, 2}).first);    // negative
+  CHECK_FALSE(read({0}, {0, 2}, {400, std::nan(""), 700, 2}).first);
 }

@@ -24,6 +24,7 @@ struct Frame {
   }
   double height(const Vec3& p) const { return glm::dot(p - origin, n); }
   Vec3 direction_to_world(const Vec3& d) const { return d.x * u + d.y * v + d.z * n; }
+  Vec3 direction_to_local(const Vec3& d) const { return {glm::dot(d, u), glm::dot(d, v), glm::dot(d, n)}; }
 };
 
 /// A planar region: one or more outer rings and any number of holes, given in its own frame.

@@ -20,6 +20,10 @@ struct Raster {
   std::vector<float> scalar;
   /// "lx" (illuminance) or "cd/m²" (luminance).
   std::string scalar_unit;
+  /// [height][width][n_bands] radiance in each waveband, W/(m2 sr); empty unless asked for.
+  std::vector<float> radiance;
+  /// [n_bands + 1] nm, edges of the wavebands of `radiance`.
+  std::vector<double> band_edges_nm;
 
   std::size_t n_pixels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
 };

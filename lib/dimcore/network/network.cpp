@@ -7,35 +7,14 @@
 #include <atomic>
 #include <mutex>
 
-#include "base/low_discrepancy.hpp"
 #include "network/balance.hpp"
 #include "network/family.hpp"
+#include "network/ray_pattern.hpp"
 
 namespace dim {
 namespace {
 
 constexpr std::size_t kRaysPerBlock = 16384;
-
-// Where a row's rays start and how its hemisphere stands.
-struct RowOrigin {
-  const Frame* frame;
-  const GridCell* cell;  // null: a measuring point, all rays start at the frame's origin
-  const Polygon* polygon;
-  int skip;
-};
-
-// A point of the cell for each ray: the given one where the cell is whole, else the first of the stream
-// started there that lies in the clipped region.
-Vec2 point_in_cell(const GridCell& cell, const Polygon& polygon, double a, double b, std::uint64_t stream) {
-  Vec2 p = cell.low + Vec2(a, b) * (cell.high - cell.low);
-  if (cell.whole) return p;
-  constexpr int kTries = 64;
-  for (int i = 0; i < kTries && !polygon.contains(p); ++i) {
-    stream = mix(stream);
-    p = cell.low + Vec2(unit_from(stream), unit_from(mix(~stream))) * (cell.high - cell.low);
-  }
-  return polygon.contains(p) ? p : cell.centroid;
-}
 
 struct RowCounts {
   std::uint64_t escaped = 0;
@@ -44,37 +23,19 @@ struct RowCounts {
 
 class RowTracer {
  public:
-  RowTracer(const Zone& zone, const Cells& cells, Sampling sampling, std::uint64_t seed)
-      : zone_(zone),
-        cells_(cells),
-        caster_(plates_of(zone), zone.diameter_m),
-        sampling_(sampling),
-        seed_(seed) {}
+  RowTracer(const Zone& zone, const Cells& cells)
+      : zone_(zone), cells_(cells), caster_(plates_of(zone), zone.diameter_m) {}
 
   // Traces all rays of one row and hands each (patch, sink) to `store`.
   template <class Store>
-  RowCounts trace(const RowOrigin& origin, const PatchGrid& patches, std::uint64_t stream,
-                  Store&& store) const {
+  RowCounts trace(const RowRays& rays, const PatchGrid& patches, Store&& store) const {
     RowCounts counts;
-    const LowDiscrepancy4 points(mix(seed_) ^ stream);
     std::size_t patch = 0;
     for (int slice = 0; slice < patches.n_slices; ++slice) {
       const PatchSlice directions(patches, slice);
       for (int sector = 0; sector < patches.n_sectors; ++sector, ++patch) {
-        Vec3 from = origin.frame->origin;
-        Vec3 direction;
-        if (sampling_ == Sampling::centre) {
-          if (origin.cell) from = origin.frame->to_world(origin.cell->centroid);
-          direction = patches.centre(slice, sector);
-        } else {
-          const auto x = points(patch);
-          direction = directions.direction(sector, x[0], x[1]);
-          if (origin.cell)
-            from = origin.frame->to_world(
-                point_in_cell(*origin.cell, *origin.polygon, x[2], x[3], stream ^ mix(patch)));
-        }
-        const Hit hit = caster_.nearest(from, origin.frame->direction_to_world(direction), origin.skip);
-        store(patch, sink_of(hit, counts));
+        const Ray ray = rays.ray(patches, directions, slice, sector);
+        store(patch, sink_of(caster_.nearest(ray.from, ray.direction, rays.skip()), counts));
       }
     }
     return counts;
@@ -99,8 +60,6 @@ class RowTracer {
   const Zone& zone_;
   const Cells& cells_;
   RayCaster caster_;
-  Sampling sampling_;
-  std::uint64_t seed_;
 };
 
 // Reports progress from whichever thread happens to be free to.
@@ -138,11 +97,8 @@ void trace_cells(Network& network, const Zone& zone, const Cells& cells, const R
                  const Job& job) {
   std::atomic<std::uint64_t> escaped{0}, back{0};
   for_rows(cells.size(), network.patches.n_patches(), "rays", job, [&](std::size_t cell) {
-    const std::size_t surface = cells.surface_of(cell);
-    const auto& polygon = zone.surfaces[surface].polygon;
-    const RowOrigin origin{&polygon.frame(), &cells[cell], &polygon, static_cast<int>(surface)};
     const RowCounts counts =
-        tracer.trace(origin, network.patches, cell,
+        tracer.trace(RowRays(zone, cells, cell, network.sampling, network.seed), network.patches,
                      [&](std::size_t patch, std::uint32_t sink) { network.sinks.set(cell, patch, sink); });
     escaped += counts.escaped;
     back += counts.back;
@@ -152,13 +108,11 @@ void trace_cells(Network& network, const Zone& zone, const Cells& cells, const R
 }
 
 void trace_points(Network& network, const Zone& zone, const RowTracer& tracer, const Job& job) {
-  constexpr std::uint64_t kPointStreams = 1ULL << 40;  // apart from those of the cells
   const std::size_t n_patches = network.point_patches.n_patches();
   network.point_back_fraction.resize(zone.points.size());
   for_rows(zone.points.size(), n_patches, "points", job, [&](std::size_t point) {
-    const Frame frame = frame_at(zone.points[point]);
     const RowCounts counts = tracer.trace(
-        {&frame, nullptr, nullptr, -1}, network.point_patches, kPointStreams + point,
+        RowRays(zone, point, network.sampling, network.seed), network.point_patches,
         [&](std::size_t patch, std::uint32_t sink) { network.point_sinks.set(point, patch, sink); });
     network.point_back_fraction[point] = static_cast<double>(counts.back) / static_cast<double>(n_patches);
   });
@@ -203,7 +157,7 @@ Network build_network(const Zone& zone, const Cells& cells, const NetworkOptions
   network.seed = options.seed;
   network.sinks = SinkTable(cells.size(), options.patches.n_patches(), cells.size());
   network.point_sinks = SinkTable(zone.points.size(), options.point_patches.n_patches(), cells.size());
-  const RowTracer tracer(zone, cells, options.sampling, options.seed);
+  const RowTracer tracer(zone, cells);
   trace_cells(network, zone, cells, tracer, job);
   trace_points(network, zone, tracer, job);
   if (options.family) network.extra = find_families(zone, cells, network, job);

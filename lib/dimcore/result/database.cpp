@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "network/network_storage.hpp"
+#include "result/spectra_storage.hpp"
 #include "scene/zone_storage.hpp"
 
 namespace dim {
@@ -129,6 +130,7 @@ std::string save_lum(const std::string& path, const Zone& zone, const Cells& cel
   file.attribute("/", "rays_hash", rays_hash);
   file.dataset<double>("/bands", solution.bands.edges_nm, {solution.bands.edges_nm.size()}, "nm",
                        "band edges");
+  store_spectra(file, lights, solution);
   store_cells(file, zone, cells);
   const auto store = [&](const std::string& name, const std::vector<float>& values, std::size_t n) {
     file.dataset<float>(name, values, {solution.sources.size(), solution.bands.size(), n}, "W/m2",
@@ -150,6 +152,7 @@ LuminanceDatabase::LuminanceDatabase(const std::string& path, const Job& job)
     rays_hash_ = file_.text_attribute("/", "rays_hash");
     const Json json = Json::parse(file_.text("/description"));
     for (const auto& source : json.at("sources")) sources_.push_back(source_from_json(source, bands_.size()));
+    spectra_ = load_spectra(file_, path, sources_.size());
     for (const auto& p : json.at("photometry")) {
       photometry_.push_back(p.at("mean_intensity_cd").get<std::vector<double>>());
       if (photometry_.back().size() != kGammaSteps + 1) throw std::out_of_range("photometry");

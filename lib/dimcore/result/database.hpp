@@ -45,6 +45,8 @@ class LuminanceDatabase {
   const std::vector<Source>& sources() const { return sources_; }
   const std::vector<ShownLuminaire>& luminaires() const { return luminaires_; }
   const std::vector<MeanIntensity>& photometry() const { return photometry_; }
+  /// Relative spectra of the sources, in their order; empty in files of programs that did not store them.
+  const std::vector<SpectralCurve>& spectra() const { return spectra_; }
   const std::string& hash() const { return file_.hash(); }
   const std::string& rays_hash() const { return rays_hash_; }
   std::size_t n_cells() const { return n_cells_; }
@@ -64,6 +66,7 @@ class LuminanceDatabase {
   std::vector<Source> sources_;
   std::vector<ShownLuminaire> luminaires_;
   std::vector<MeanIntensity> photometry_;
+  std::vector<SpectralCurve> spectra_;
   std::string rays_hash_;
   std::size_t n_cells_ = 0;
 };

@@ -5,11 +5,6 @@
 namespace dim {
 namespace {
 
-constexpr double kHalfStep_nm = kTableStep_nm / 2.0;
-
-double cell_low_nm(std::size_t i) { return std::max(kVisibleLow_nm, lattice_nm(i) - kHalfStep_nm); }
-double cell_high_nm(std::size_t i) { return std::min(kVisibleHigh_nm, lattice_nm(i) + kHalfStep_nm); }
-
 bool is_finer_than_lattice(const SpectralCurve& curve) {
   constexpr double kRounding = 1e-6;
   const auto& points = curve.points();
@@ -26,12 +21,12 @@ LatticeValues on_lattice(const SpectralCurve& curve) {
   LatticeValues values;
   const bool fine = is_finer_than_lattice(curve);
   for (std::size_t i = 0; i < kTableSize; ++i)
-    values[i] = fine ? curve.mean(cell_low_nm(i), cell_high_nm(i)) : curve.at(lattice_nm(i));
+    values[i] = fine ? curve.mean(cell_edge_nm(i), cell_edge_nm(i + 1)) : curve.at(lattice_nm(i));
   return values;
 }
 
 double cell_overlap_nm(std::size_t i, double low_nm, double high_nm) {
-  return std::max(0.0, std::min(cell_high_nm(i), high_nm) - std::max(cell_low_nm(i), low_nm));
+  return std::max(0.0, std::min(cell_edge_nm(i + 1), high_nm) - std::max(cell_edge_nm(i), low_nm));
 }
 
 }  // namespace dim

@@ -20,6 +20,11 @@ using LatticeValues = std::array<double, kTableSize>;
 /// its means over the cells around them, so that no narrow line is missed.
 LatticeValues on_lattice(const SpectralCurve& curve);
 
+/// Where cell i begins, and the one before it ends: 380, 382.5, 387.5, ... 777.5, 780 for i = 0 ... 81.
+constexpr double cell_edge_nm(std::size_t i) {
+  return i == 0 ? kVisibleLow_nm : i == kTableSize ? kVisibleHigh_nm : lattice_nm(i) - kTableStep_nm / 2.0;
+}
+
 /// How much of the cell around wavelength i lies within [low_nm, high_nm], nm.
 double cell_overlap_nm(std::size_t i, double low_nm, double high_nm);
 

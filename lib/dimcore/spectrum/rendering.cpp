@@ -32,6 +32,7 @@ Vec3 uvw_of(const Vec2& uv, const Vec2& white, double y_percent) {
 }  // namespace
 
 void LightResponses::add(const LightResponses& other, double factor) {
+  power += factor * other.power;
   xyz += factor * other.xyz;
   for (std::size_t i = 0; i < kColourSamples; ++i) samples[i] += factor * other.samples[i];
   melanopic += factor * other.melanopic;
@@ -47,6 +48,7 @@ LightResponses light_responses(const SpectralCurve& spd, double low_nm, double h
     const double part = power[i] * cell_overlap_nm(i, low_nm, high_nm);
     if (part == 0.0) continue;
     const Vec3 response(eye.x[i], eye.y[i], eye.z[i]);
+    sum.power += part;
     sum.xyz += part * response;
     for (std::size_t k = 0; k < kColourSamples; ++k) sum.samples[k] += part * samples[k][i] * response;
     sum.melanopic += part * melanopic[i];

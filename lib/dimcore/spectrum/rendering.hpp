@@ -11,6 +11,7 @@ namespace dim {
 
 /// Integrals of a light's spectrum from which all its figures follow. Linear: mixtures add.
 struct LightResponses {
+  double power = 0.0;                          ///< int S
   Vec3 xyz{0.0};                               ///< int S (x, y, z), CIE 1931
   std::array<Vec3, kColourSamples> samples{};  ///< the same of each test colour sample lit by it
   double melanopic = 0.0;                      ///< int S s_mel

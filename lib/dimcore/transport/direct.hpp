@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "base/job.hpp"
@@ -7,6 +8,8 @@
 #include "network/cells.hpp"
 #include "scene/lights.hpp"
 #include "scene/zone.hpp"
+#include "transport/emitter.hpp"
+#include "transport/pair_integrator.hpp"
 
 namespace dim {
 
@@ -26,6 +29,24 @@ struct DirectLight {
 /// @throws Interrupted
 DirectLight direct_light(const Zone& zone, const Cells& cells, const Lights& lights,
                          const std::vector<std::size_t>& source_of, std::size_t n_sources, const Job& job);
+
+/// Takes the direct illuminance of a cell or point from an emitter; for one cell or point never from two
+/// threads at once, emitters in order.
+using DirectSink = std::function<void(std::size_t receiver, std::size_t emitter, double lx)>;
+
+/// The same emitter by emitter, images in mirrors included (as if the mirrors reflected everything).
+/// @param caster  of `Obstructions`
+/// @throws Interrupted
+void direct_light(const Zone& zone, const Cells& cells, const Lights& lights,
+                  const std::vector<Emitter>& emitters, const RayCaster& caster, const DirectSink& on_cell,
+                  const DirectSink& on_point, const Job& job);
+
+/// The cell as a receiver of direct light. The result points into `zone` and `cells`.
+Receiver cell_receiver(const Zone& zone, const Cells& cells, std::size_t cell);
+
+/// One integrator an emitter; they point into `emitters`.
+std::vector<PairIntegrator> make_integrators(const Zone& zone, const Lights& lights,
+                                             const std::vector<Emitter>& emitters, const RayCaster& caster);
 
 /// What becomes of a luminaire's light on its first flight, as shares of its flux.
 struct FirstFlight {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "transport/gather_kernel.hpp"
 
@@ -19,7 +20,8 @@ constexpr std::size_t kRun = 256;
 class Block {
  public:
   Block(const Network& network, const Cells& cells, const std::vector<double>& direct,
-        const std::vector<double>& reflectance, std::size_t n_columns, std::size_t first, std::size_t n)
+        const std::vector<double>& reflectance, std::size_t n_columns, std::size_t first, std::size_t n,
+        const GatherShine* shine)
       : network_(network),
         cells_(cells),
         n_(n),
@@ -34,6 +36,9 @@ class Block {
     for (std::size_t s = 0; s < cells.n_surfaces(); ++s)
       std::copy_n(&reflectance[s * n_columns + first], n, &rho_[s * width_]);
     total_ = direct_;
+    if (shine)
+      shine_.emplace(shine->shine, shine->zone, network, cells, shine->direct, shine->class_of_column,
+                     n_columns, first, n, width_);
     add_ambient();
   }
 
@@ -44,6 +49,10 @@ class Block {
       emit();
       gather();
       residual_ = update();
+      if (shine_) {
+        const auto change = shine_->reflect(exitance_);
+        for (std::size_t c = 0; c < width_; ++c) residual_[c] = std::max(residual_[c], change[c]);
+      }
       // The means grow with every reflection, so that judging by the latest ones ends when it should.
       mean_ = weighted_mean();
       if (largest_relative(residual_) <= options.tolerance) {
@@ -58,13 +67,26 @@ class Block {
     for (std::size_t c = 0; c < n_; ++c) {
       ColumnReport& report = reports[first + c];
       double rho_max = 0.0;
-      for (std::size_t s = 0; s < cells_.n_surfaces(); ++s) rho_max = std::max(rho_max, rho_[s * width_ + c]);
+      for (std::size_t s = 0; s < cells_.n_surfaces(); ++s)
+        rho_max = std::max(rho_max, rho_[s * width_ + c] + (shine_ ? shine_->largest_albedo(s, c) : 0.0));
       report.iterations = iterations_;
       report.residual = mean_[c] > 0.0 ? residual_[c] / mean_[c] : 0.0;
       report.error_bound = report.residual * rho_max / (1.0 - rho_max);
       report.dropped = in_flight_[c];
     }
     add_power(reports, first);
+    if (!shine_) return;
+    const auto power = shine_->power(exitance_);
+    for (std::size_t c = 0; c < n_; ++c) {
+      ColumnReport& report = reports[first + c];
+      report.absorbed -= power.reflected[c];
+      report.escaped += power.escaped[c];
+      report.dropped += power.in_flight[c];
+    }
+  }
+
+  void copy_psi(std::vector<float>& psi) const {
+    if (shine_) shine_->copy_psi(psi);
   }
 
   void copy_cells(std::vector<double>& cell, std::size_t n_columns, std::size_t first) const {
@@ -82,6 +104,7 @@ class Block {
       gather_rows(network_.point_sinks, network_.point_patches, nullptr, exitance_.data(), width_,
                   rows.begin(), rows.end(), sums.data());
     });
+    if (shine_) shine_->add_to_points(exitance_, sums);
     for (std::size_t p = 0; p < n_points; ++p) {
       for (std::size_t c = 0; c < n_; ++c)
         point[p * n_columns + first + c] = point_direct[p * n_columns + first + c] + sums[p * width_ + c];
@@ -126,6 +149,7 @@ class Block {
       gather_rows(network_.sinks, network_.patches, network_.has_family() ? &network_.extra : nullptr,
                   exitance_.data(), width_, rows.begin(), rows.end(), gathered_.data());
     });
+    if (shine_) shine_->add_to_cells(exitance_, gathered_);
   }
 
   // Sets the new irradiances and what their change would reflect on; returns the largest change of each
@@ -207,23 +231,29 @@ class Block {
   std::vector<double> direct_, rho_, total_, exitance_, gathered_;
   std::vector<double> mean_, residual_, in_flight_;
   int iterations_ = 0;
+  std::optional<ShineState> shine_;
 };
 
 }  // namespace
 
 Gathered gather(const Network& network, const Cells& cells, const std::vector<double>& direct,
                 const std::vector<double>& point_direct, const std::vector<double>& reflectance,
-                std::size_t n_columns, const GatherOptions& options, const Job& job) {
+                std::size_t n_columns, const GatherOptions& options, const Job& job,
+                const GatherShine* shine) {
+  // Off-specular cells hold a value a patch for every column.
+  const std::size_t block_columns = shine && shine->shine.n_states() > 0 ? kColumnsPerLane : kMaxColumns;
   Gathered result;
+  if (shine) result.psi.resize(shine->shine.n_states() * n_columns);
   result.cell.resize(cells.size() * n_columns);
   result.point.resize(network.point_sinks.n_rows() * n_columns);
   result.columns.resize(n_columns);
-  for (std::size_t first = 0; first < n_columns; first += kMaxColumns) {
-    const std::size_t n = std::min(kMaxColumns, n_columns - first);
-    Block block(network, cells, direct, reflectance, n_columns, first, n);
+  for (std::size_t first = 0; first < n_columns; first += block_columns) {
+    const std::size_t n = std::min(block_columns, n_columns - first);
+    Block block(network, cells, direct, reflectance, n_columns, first, n, shine);
     block.solve(options, job);
     block.report(result.columns, first);
     block.copy_cells(result.cell, n_columns, first);
+    block.copy_psi(result.psi);
     block.gather_points(point_direct, result.point, n_columns, first);
     job.report("solve", static_cast<double>(first + n) / static_cast<double>(n_columns));
   }

@@ -5,6 +5,8 @@
 #include "base/job.hpp"
 #include "network/cells.hpp"
 #include "network/network.hpp"
+#include "transport/shine.hpp"
+#include "transport/shine_state.hpp"
 
 namespace dim {
 
@@ -28,7 +30,16 @@ struct ColumnReport {
 struct Gathered {
   std::vector<double> cell;   ///< [n_cells, n_columns] total irradiance
   std::vector<double> point;  ///< [n_points, n_columns]
+  std::vector<float> psi;     ///< [n_states, n_columns] of off-specular cells, see `Shine`; empty without any
   std::vector<ColumnReport> columns;
+};
+
+/// Shiny surfaces of the problem.
+struct GatherShine {
+  const Shine& shine;
+  const Zone& zone;
+  const DirectShine& direct;
+  std::vector<std::size_t> class_of_column;  ///< [n_columns]
 };
 
 /// Solves E_i = E0_i + sum_j F_ij rho_j E_j for all columns at once and gathers the measuring points.
@@ -36,9 +47,11 @@ struct Gathered {
 /// @param direct       [n_cells, n_columns] E0; unit free
 /// @param point_direct [n_points, n_columns]
 /// @param reflectance  [n_surfaces, n_columns], each in [0, 1)
+/// @param shine        null where every surface is diffusing
 /// @throws Interrupted
 Gathered gather(const Network& network, const Cells& cells, const std::vector<double>& direct,
                 const std::vector<double>& point_direct, const std::vector<double>& reflectance,
-                std::size_t n_columns, const GatherOptions& options, const Job& job);
+                std::size_t n_columns, const GatherOptions& options, const Job& job,
+                const GatherShine* shine = nullptr);
 
 }  // namespace dim

@@ -6,26 +6,27 @@
 
 #include <algorithm>
 
-#include "transport/direct.hpp"
+#include "transport/direct_columns.hpp"
 
 namespace dim {
 namespace {
 
 constexpr std::size_t kBlockBytes = 32 * 4 * sizeof(double);  // a block of columns being solved
 constexpr int kProbeRays = 1024;                              // to notice a luminaire in the wrong place
+constexpr int kRayMirrorDepth = 16;
 constexpr int kBalanceRays = 32768;  // to say what share of its light leaves the zone
 
 void check_finishes(const Zone& zone, const Bands& bands) {
   Problems problems;
   for (const auto& finish : zone.finishes) {
-    if (!finish.is_diffuse())
+    if (finish.kind == FinishKind::glazing) {
       problems.add(
-          {},
-          fmt::format("finish '{}' {}; this version models opaque diffuse finishes only", finish.name,
-                      finish.kind == FinishKind::glazing ? "is a glazing" : "has a specular part"),
-          fmt::format("use --finish {}=ENTRY with a diffuse entry", finish.name));
-    for (std::size_t b = 0; b < bands.size() && finish.is_diffuse(); ++b) {
-      const double rho = finish.diffuse.mean(bands.low_nm(b), bands.high_nm(b));
+          {}, fmt::format("finish '{}' is a glazing; this version models opaque finishes only", finish.name),
+          fmt::format("use --finish {}=ENTRY with an opaque entry", finish.name));
+      continue;
+    }
+    for (std::size_t b = 0; b < bands.size(); ++b) {
+      const double rho = band_reflection(finish, bands.low_nm(b), bands.high_nm(b)).diffuse;
       if (!(rho < 1.0))
         problems.add(
             {},
@@ -72,26 +73,6 @@ Sources make_sources(const Lights& lights, const Bands& bands, Combine combine) 
   return result;
 }
 
-// Bands in which every surface reflects alike: class of each band, and each class's reflectances.
-struct ReflectanceClasses {
-  std::vector<std::size_t> of_band;
-  std::vector<std::vector<double>> of_surface;  // [class][surface]
-};
-
-ReflectanceClasses classify(const Zone& zone, const Bands& bands) {
-  ReflectanceClasses classes;
-  for (std::size_t b = 0; b < bands.size(); ++b) {
-    std::vector<double> rho;
-    for (const auto& surface : zone.surfaces)
-      rho.push_back(zone.finishes[static_cast<std::size_t>(surface.finish)].diffuse.mean(bands.low_nm(b),
-                                                                                         bands.high_nm(b)));
-    const auto known = std::find(classes.of_surface.begin(), classes.of_surface.end(), rho);
-    classes.of_band.push_back(static_cast<std::size_t>(known - classes.of_surface.begin()));
-    if (known == classes.of_surface.end()) classes.of_surface.push_back(std::move(rho));
-  }
-  return classes;
-}
-
 // Spreads [n, n_sources] over columns class * n_sources + source.
 std::vector<double> repeat_columns(const std::vector<double>& values, std::size_t n_sources,
                                    std::size_t n_classes) {
@@ -120,6 +101,25 @@ class Assembly {
       const std::size_t column = (by_class ? classes_.of_band[b] * n_sources : 0) + s;
       for (std::size_t i = 0; i < n; ++i)
         result[row * n + i] = static_cast<float>(columns[i * n_columns + column] * watts);
+    });
+    return result;
+  }
+
+  // From [states, columns] flux per area to [source, band, state] radiance.
+  std::vector<float> spread_states(const std::vector<float>& columns, const PatchGrid& grid) const {
+    const std::size_t n_sources = solution_.sources.size(), n_bands = solution_.bands.size();
+    const std::size_t n_columns = n_sources * classes_.size(),
+                      n = columns.size() / std::max<std::size_t>(n_columns, 1);
+    const auto n_sectors = static_cast<std::size_t>(grid.n_sectors);
+    std::vector<float> result(n_sources * n_bands * n);
+    tbb::parallel_for(std::size_t{0}, n_sources * n_bands, [&](std::size_t row) {
+      const std::size_t s = row / n_bands, b = row % n_bands;
+      const std::size_t column = classes_.of_band[b] * n_sources + s;
+      for (std::size_t i = 0; i < n; ++i) {
+        const double w = grid.weight_sr(static_cast<int>(i % grid.n_patches() / n_sectors));
+        result[row * n + i] = static_cast<float>(static_cast<double>(columns[i * n_columns + column]) *
+                                                 band_watts_per_lumen(s, b) / w);
+      }
     });
     return result;
   }
@@ -171,6 +171,19 @@ void check_size(std::size_t n_cells, std::size_t n_points, std::size_t n_sources
                     static_cast<double>(job.memory_limit_bytes) / kGiB));
 }
 
+void check_shine_size(const Shine& shine, std::size_t n_columns, std::size_t n_rows, const Job& job) {
+  constexpr double kGiB = 1024.0 * 1024.0 * 1024.0;
+  constexpr std::size_t kPerLink = 40;
+  const std::size_t needed =
+      shine.n_states() * (2 * sizeof(float) * (n_columns + n_rows) + kBlockBytes + kPerLink);
+  if (needed > job.memory_limit_bytes)
+    throw LimitError(fmt::format(
+        "light by direction of {} off-specular cells x {} patches needs {:.2f} GiB, {:.2f} GiB are free; use "
+        "--combine group, fewer --bands, a larger --cell or fewer --patches",
+        shine.n_off_specular(), shine.grid().n_patches(), static_cast<double>(needed) / kGiB,
+        static_cast<double>(job.memory_limit_bytes) / kGiB));
+}
+
 // The first flights of each source, luminaires weighted by flux; the long count only where light can leave.
 std::vector<FirstFlight> source_flights(const Zone& zone, const Network& network, const Lights& lights,
                                         const Sources& sources, const Job& job, Warnings& warnings) {
@@ -213,20 +226,35 @@ Solution simulate(const Zone& zone, const Cells& cells, const Network& network, 
   check_finishes(zone, options.bands);
   Sources sources = make_sources(lights, options.bands, options.combine);
   const ReflectanceClasses classes = classify(zone, options.bands);
-  const std::size_t n_sources = sources.sources.size(), n_classes = classes.of_surface.size();
+  const std::size_t n_sources = sources.sources.size(), n_classes = classes.size();
   const std::size_t n_columns = n_sources * n_classes;
   check_size(cells.size(), zone.points.size(), n_sources, n_classes, options.bands.size(), job);
 
+  const Obstructions obstructions(zone, lights);
+  const Shine shine(zone, cells, network, classes, obstructions.caster(), kRayMirrorDepth, job);
+  check_shine_size(shine, n_columns, n_sources * options.bands.size(), job);
   const auto flights = source_flights(zone, network, lights, sources, job, warnings);
-  const DirectLight direct = direct_light(zone, cells, lights, sources.of_luminaire, n_sources, job);
+  DirectColumns direct = direct_columns(zone, cells, lights, classes, shine, obstructions.caster(),
+                                        sources.of_luminaire, n_sources, options.mirror_depth, job);
   std::vector<double> reflectance(zone.surfaces.size() * n_columns);
+  std::vector<std::size_t> class_of_column(n_columns);
+  for (std::size_t c = 0; c < n_columns; ++c) class_of_column[c] = c / n_sources;
   for (std::size_t surface = 0; surface < zone.surfaces.size(); ++surface) {
     for (std::size_t c = 0; c < n_columns; ++c)
-      reflectance[surface * n_columns + c] = classes.of_surface[c / n_sources][surface];
+      reflectance[surface * n_columns + c] =
+          classes.at(class_of_column[c], zone.surfaces[surface].finish).diffuse;
   }
-  const Gathered gathered = gather(network, cells, repeat_columns(direct.cell_lx, n_sources, n_classes),
-                                   repeat_columns(direct.point_lx, n_sources, n_classes), reflectance,
-                                   n_columns, options.gather, job);
+  const bool by_class = direct.n_columns == n_columns;
+  const auto in_columns = [&](const std::vector<double>& values) {
+    return by_class ? values : repeat_columns(values, n_sources, n_classes);
+  };
+  const GatherShine gather_shine{shine, zone, direct.shine, class_of_column};
+  Gathered gathered = gather(network, cells, in_columns(direct.cell), in_columns(direct.point), reflectance,
+                             n_columns, options.gather, job, shine.any() ? &gather_shine : nullptr);
+  for (std::size_t c = 0; c < n_columns && shine.any(); ++c) {
+    gathered.columns[c].absorbed -= direct.shine.mirrored[c] + direct.shine.not_followed[c];
+    gathered.columns[c].dropped += direct.shine.not_followed[c];
+  }
 
   Solution solution;
   solution.bands = options.bands;
@@ -235,10 +263,14 @@ Solution simulate(const Zone& zone, const Cells& cells, const Network& network, 
   solution.n_points = zone.points.size();
   solution.n_reflectance_classes = n_classes;
   Assembly assembly(solution, classes);
-  solution.cell_direct = assembly.spread(direct.cell_lx, cells.size(), n_sources, false);
-  solution.point_direct = assembly.spread(direct.point_lx, zone.points.size(), n_sources, false);
+  solution.cell_direct = assembly.spread(direct.cell, cells.size(), direct.n_columns, by_class);
+  solution.point_direct = assembly.spread(direct.point, zone.points.size(), direct.n_columns, by_class);
   solution.cell_total = assembly.spread(gathered.cell, cells.size(), n_columns, true);
   solution.point_total = assembly.spread(gathered.point, zone.points.size(), n_columns, true);
+  solution.directional.grid = shine.grid();
+  solution.directional.cells = shine.off_specular();
+  solution.directional.direct = assembly.spread_states(direct.shine.psi, shine.grid());
+  solution.directional.total = assembly.spread_states(gathered.psi, shine.grid());
   assembly.add_energy(gathered.columns, flights);
   return solution;
 }

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "base/job.hpp"
+#include "hemisphere/patches.hpp"
 #include "network/network.hpp"
 #include "scene/lights.hpp"
 #include "spectrum/bands.hpp"
@@ -17,6 +19,7 @@ struct SimulationOptions {
   Bands bands;
   Combine combine = Combine::each;
   GatherOptions gather;
+  int mirror_depth = 3;  ///< mirrors one after the other that luminaires are imaged in
 };
 
 /// Where one source's flux in one band went, W. `imbalance` is what is left of emitted after absorbed,
@@ -44,6 +47,15 @@ struct Source {
   double error_bound = 0.0;  ///< truncation of inter-reflection, relative to the mean irradiance
 };
 
+/// Light by direction from off-specular cells, W/(m2 sr) per band: the mean radiance by their lobes into each
+/// patch.
+struct Directional {
+  PatchGrid grid;
+  std::vector<std::uint32_t> cells;  ///< [n_off_specular], ascending
+  std::vector<float> direct,
+      total;  ///< [n_sources, n_bands, n_off_specular, n_patches], of direct light and of all
+};
+
 /// Irradiance, W/m2 per band: [n_sources, n_bands, n_cells] or [n_sources, n_bands, n_points], last fastest.
 struct Solution {
   Bands bands;
@@ -53,6 +65,7 @@ struct Solution {
   std::vector<float> cell_direct, cell_total;
   std::vector<float> point_direct, point_total;
   std::size_t n_reflectance_classes = 0;
+  Directional directional;
 
   std::size_t cell_row(std::size_t source, std::size_t band) const {
     return (source * bands.size() + band) * n_cells;
@@ -66,7 +79,7 @@ struct Solution {
 ///
 /// Direct light is computed once for all bands; bands in which every finish reflects alike share one
 /// solution.
-/// @throws InputError  finishes this version does not model (a specular part, glazing), reflectance >= 1
+/// @throws InputError  finishes this version does not model (glazing), diffuse reflectance >= 1
 /// @throws LimitError  when the solution does not fit job.memory_limit_bytes
 Solution simulate(const Zone& zone, const Cells& cells, const Network& network, const Lights& lights,
                   const SimulationOptions& options, const Job& job, Warnings& warnings);

@@ -1,0 +1,62 @@
+#include "reflection/specular.hpp"
+
+#include <cmath>
+
+#include "reflection/fresnel.hpp"
+
+namespace dim {
+
+double BandReflection::fresnel(double cos_incidence) const {
+  if (specular == 0.0) return 0.0;
+  return specular * (constant ? *constant : fresnel_reflectance(cos_incidence, n, k));
+}
+
+BandReflection band_reflection(const Finish& finish, double low_nm, double high_nm) {
+  BandReflection reflection;
+  reflection.specular = finish.specular;
+  reflection.diffuse = (1.0 - finish.specular) * finish.diffuse.mean(low_nm, high_nm);
+  if (finish.specular == 0.0) return reflection;
+  if (finish.specular_reflectance) {
+    reflection.constant = finish.specular_reflectance->mean(low_nm, high_nm);
+    return reflection;
+  }
+  reflection.n = finish.ior.mean(low_nm, high_nm);
+  if (finish.extinction) reflection.k = finish.extinction->mean(low_nm, high_nm);
+  return reflection;
+}
+
+FacetDistribution facet_distribution(const Finish& finish) {
+  return finish.distribution == "beckmann" ? FacetDistribution::beckmann : FacetDistribution::gaussian;
+}
+
+double specular_brdf(const BandReflection& reflection, const Facets& facets, const Vec3& in,
+                     const Vec3& out) {
+  if (!(in.z > 0.0) || !(out.z > 0.0)) return 0.0;
+  const Vec3 sum = in + out;
+  const Vec3 half = sum / glm::length(sum);
+  // i.h = r.h; taken as half the length of i + r, which is the same for both.
+  const double facing = glm::length(sum) / 2.0;
+  const double shadow = std::min(1.0, 2.0 * half.z * std::min(in.z, out.z) / facing);
+  return reflection.fresnel(facing) * facets.density(half.z) * shadow / (4.0 * in.z * out.z);
+}
+
+double specular_albedo(const BandReflection& reflection, const Facets* facets, double cos_incidence) {
+  if (!facets) return reflection.fresnel(cos_incidence);
+  constexpr int kTilts = 96, kAzimuths = 48;  // even: opposite facets come in pairs
+  const double sine = std::sqrt(std::max(0.0, 1.0 - cos_incidence * cos_incidence));
+  const Vec3 in(sine, 0.0, cos_incidence);
+  double sum = 0.0;
+  for (int i = 0; i < kTilts; ++i) {
+    const double tilt = facets->tilt_rad((i + 0.5) / kTilts);
+    for (int j = 0; j < kAzimuths; ++j) {
+      const double azimuth = 2.0 * kPi * (j + 0.5) / kAzimuths;
+      const Vec3 half(std::sin(tilt) * std::cos(azimuth), std::sin(tilt) * std::sin(azimuth), std::cos(tilt));
+      const Vec3 out = 2.0 * glm::dot(in, half) * half - in;
+      const double weight = facet_weight(half, in, out);
+      if (weight > 0.0) sum += weight * reflection.fresnel(std::min(1.0, glm::dot(in, half)));
+    }
+  }
+  return std::min(reflection.specular, sum / (kTilts * kAzimuths));
+}
+
+}  // namespace dim

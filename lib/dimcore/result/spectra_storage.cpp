@@ -1,0 +1,67 @@
+#include "result/spectra_storage.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace dim {
+namespace {
+
+using Points = std::vector<std::pair<double, double>>;
+
+// A spectrum of the file, checked as what a program of this name would have written.
+SpectralCurve curve_from(const std::vector<double>& values, std::size_t first, std::size_t last,
+                         const std::string& path) {
+  Points points;
+  for (std::size_t i = first; i < last; ++i) points.emplace_back(values[2 * i], values[2 * i + 1]);
+  const auto not_after = [](const auto& a, const auto& b) { return !(a.first < b.first); };
+  const auto not_power = [](const auto& point) { return !(point.second >= 0.0); };
+  if (points.empty() || std::adjacent_find(points.begin(), points.end(), not_after) != points.end() ||
+      std::any_of(points.begin(), points.end(), not_power))
+    throw IoError(path, "a source spectrum in this luminance database does not hold together");
+  return SpectralCurve(std::move(points));
+}
+
+}  // namespace
+
+void store_spectra(Hdf5Writer& file, const Lights& lights, const Solution& solution) {
+  std::map<std::string, int> fitting_of;
+  for (const auto& luminaire : lights.luminaires) fitting_of.emplace(luminaire.name, luminaire.fitting);
+  std::map<Points, std::uint32_t> known;
+  std::vector<std::uint32_t> of_source;
+  std::vector<std::uint64_t> first{0};
+  std::vector<double> values;
+  for (const auto& source : solution.sources) {
+    const auto fitting = static_cast<std::size_t>(fitting_of.at(source.luminaires.front()));
+    const Points& points = lights.fittings[fitting].spectrum.points();
+    const auto [it, added] = known.emplace(points, static_cast<std::uint32_t>(known.size()));
+    of_source.push_back(it->second);
+    if (!added) continue;
+    for (const auto& [nm, power] : points) values.insert(values.end(), {nm, power});
+    first.push_back(values.size() / 2);
+  }
+  file.dataset<std::uint32_t>("/spectra/of_source", of_source, {of_source.size()}, "1",
+                              "spectrum of each source");
+  file.dataset<std::uint64_t>("/spectra/first", first, {first.size()}, "1",
+                              "points of spectrum i are first[i] to first[i + 1]");
+  file.dataset<double>("/spectra/point", values, {values.size() / 2, 2}, "nm, 1",
+                       "wavelength and relative spectral power");
+}
+
+std::vector<SpectralCurve> load_spectra(const Hdf5Reader& file, const std::string& path,
+                                        std::size_t n_sources) {
+  std::vector<SpectralCurve> spectra;
+  if (!file.has("/spectra/of_source")) return spectra;
+  const auto of_source = file.dataset<std::uint32_t>("/spectra/of_source", {n_sources});
+  const auto first = file.dataset<std::uint64_t>("/spectra/first", {kAnySize});
+  const auto values = file.dataset<double>("/spectra/point", {kAnySize, 2});
+  if (!std::is_sorted(first.begin(), first.end()) || (!first.empty() && first.back() > values.size() / 2))
+    throw IoError(path, "the source spectra in this luminance database do not hold together");
+  for (const std::uint32_t i : of_source) {
+    if (i + std::size_t{1} >= first.size())
+      throw IoError(path, "the source spectra in this luminance database do not hold together");
+    spectra.push_back(curve_from(values, first[i], first[i + 1], path));
+  }
+  return spectra;
+}
+
+}  // namespace dim

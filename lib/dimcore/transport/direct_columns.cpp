@@ -1,0 +1,210 @@
+#include "transport/direct_columns.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+namespace dim {
+namespace {
+
+// Paths between a cell and an opening along which light meets an off-specular cell, and facets it meets on
+// each.
+constexpr int kPaths = 16;
+constexpr int kFacets = 32;
+
+class Builder {
+ public:
+  Builder(const Zone& zone, const Cells& cells, const Lights& lights, const ReflectanceClasses& classes,
+          const Shine& shine, const RayCaster& caster, const std::vector<std::size_t>& source_of,
+          std::size_t n_sources, int mirror_depth)
+      : zone_(zone),
+        cells_(cells),
+        lights_(lights),
+        classes_(classes),
+        shine_(shine),
+        caster_(caster),
+        source_of_(source_of),
+        n_sources_(n_sources),
+        mirror_depth_(shine.has_mirrors() ? mirror_depth : 0),
+        emitters_(make_emitters(zone, lights, shine.mirrors(), mirror_depth_)) {
+    result_.n_columns = shine.has_mirrors() ? n_sources * classes.size() : n_sources;
+    result_.cell.assign(cells.size() * result_.n_columns, 0.0);
+    result_.point.assign(zone.points.size() * result_.n_columns, 0.0);
+    lobe_lx_.assign(shine.n_off_specular() * emitters_.size(), 0.0);
+    mirrored_.assign(shine.has_mirrors() ? cells.size() * n_all() : 0, 0.0);
+    not_followed_.assign(mirrored_.size(), 0.0);
+  }
+
+  DirectColumns build(const Job& job) {
+    direct_light(
+        zone_, cells_, lights_, emitters_, caster_,
+        [&](std::size_t i, std::size_t e, double lx) { on_cell(i, e, lx); },
+        [&](std::size_t p, std::size_t e, double lx) {
+          if (lx > 0.0) add(&result_.point[p * result_.n_columns], zone_.points[p].position, e, lx);
+        },
+        job);
+    auto& shine = result_.shine;
+    shine.mirrored.assign(n_all(), 0.0);
+    shine.not_followed.assign(n_all(), 0.0);
+    for (std::size_t at = 0; at < mirrored_.size(); ++at) {
+      shine.mirrored[at % n_all()] += mirrored_[at];
+      shine.not_followed[at % n_all()] += not_followed_[at];
+    }
+    shine.psi.assign(shine_.n_states() * n_all(), 0.0F);
+    if (shine_.n_off_specular() > 0) fill_lobes(job);
+    return std::move(result_);
+  }
+
+ private:
+  std::size_t n_all() const { return n_sources_ * classes_.size(); }
+
+  Vec3 middle(std::size_t cell) const {
+    return zone_.surfaces[cells_.surface_of(cell)].polygon.frame().to_world(cells_[cell].centroid);
+  }
+
+  // What an emitter's mirrors leave of its light, by class.
+  std::vector<double> tint(const Vec3& receiver, std::size_t e) const {
+    const Emitter& emitter = emitters_[e];
+    std::vector<double> tint(classes_.size(), 1.0);
+    if (emitter.mirrors.empty()) return tint;
+    const auto cosines = mirror_cosines(zone_, emitter, receiver, emitter.luminaire.at);
+    for (std::size_t m = 0; m < cosines.size(); ++m) {
+      const auto mirror = static_cast<std::size_t>(emitter.mirrors[cosines.size() - 1 - m]);
+      for (std::size_t q = 0; q < tint.size(); ++q)
+        tint[q] *= classes_.at(q, zone_.surfaces[mirror].finish).fresnel(cosines[m]);
+    }
+    return tint;
+  }
+
+  void add(double* columns, const Vec3& receiver, std::size_t e, double lx) const {
+    const std::size_t s = source_of_[emitters_[e].original];
+    if (!shine_.has_mirrors()) {
+      columns[s] += lx;
+      return;
+    }
+    const auto tints = tint(receiver, e);
+    for (std::size_t q = 0; q < tints.size(); ++q) columns[q * n_sources_ + s] += tints[q] * lx;
+  }
+
+  void on_cell(std::size_t i, std::size_t e, double lx) {
+    if (!(lx > 0.0)) return;
+    add(&result_.cell[i * result_.n_columns], middle(i), e, lx);
+    const Shininess kind = shine_.of_cell(i);
+    if (kind == Shininess::off_specular)
+      lobe_lx_[static_cast<std::size_t>(shine_.index_of(i)) * emitters_.size() + e] = lx;
+    if (kind == Shininess::mirror) reflect_whole(i, e, lx);
+  }
+
+  void reflect_whole(std::size_t i, std::size_t e, double lx) {
+    const auto& surface = zone_.surfaces[cells_.surface_of(i)];
+    const Vec3 at = middle(i);
+    const double cosine = std::clamp(
+        glm::dot(glm::normalize(emitters_[e].luminaire.at - at), surface.polygon.frame().n), 0.0, 1.0);
+    const auto tints = tint(at, e);
+    const bool last = static_cast<int>(emitters_[e].mirrors.size()) == mirror_depth_;
+    for (std::size_t q = 0; q < tints.size(); ++q) {
+      const double flux = cells_.area_m2(i) * lx * tints[q] * classes_.at(q, surface.finish).fresnel(cosine);
+      const std::size_t column = i * n_all() + q * n_sources_ + source_of_[emitters_[e].original];
+      (last ? not_followed_ : mirrored_)[column] += flux;
+    }
+  }
+
+  void fill_lobes(const Job& job) {
+    const auto integrators = make_integrators(zone_, lights_, emitters_, caster_);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, shine_.n_off_specular(), 4), [&](const auto& range) {
+      if (job.stopped()) return;
+      std::vector<double> psi;
+      for (std::size_t g = range.begin(); g != range.end(); ++g) {
+        psi.assign(shine_.grid().n_patches() * n_all(), 0.0);
+        for (std::size_t e = 0; e < emitters_.size(); ++e) {
+          const double lx = lobe_lx_[g * emitters_.size() + e];
+          if (lx > 0.0) reflect_by_lobe(g, e, lx, integrators[e], psi);
+        }
+        std::transform(psi.begin(), psi.end(),
+                       result_.shine.psi.begin() + static_cast<std::ptrdiff_t>(g * psi.size()),
+                       [](double x) { return static_cast<float>(x); });
+      }
+    });
+    job.check();
+  }
+
+  // From the exact directions of the light, facet by facet, into patches; scaled to the exact albedo.
+  void reflect_by_lobe(std::size_t g, std::size_t e, double lx, const PairIntegrator& integrator,
+                       std::vector<double>& psi) const {
+    const std::size_t cell = shine_.off_specular()[g];
+    const Receiver receiver = cell_receiver(zone_, cells_, cell);
+    const Part pair = whole_pair(cells_[cell].low, cells_[cell].high);
+    const LowDiscrepancy4 chance(mix(g) ^ mix(e));
+    std::vector<PairIntegrator::Path> paths;
+    double total = 0.0;
+    for (std::uint64_t i = 0; i < kPaths; ++i) {
+      paths.push_back(integrator.path(receiver, pair, chance(i)));
+      total += paths.back().lx;
+    }
+    if (!(total > 0.0)) {
+      // None of these paths found the light there is.
+      const Vec3 at = middle(cell);
+      paths.assign(1, {at, glm::normalize(emitters_[e].luminaire.at - at), 1.0});
+      total = 1.0;
+    }
+    const auto tints = tint(middle(cell), e);
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+      if (paths[i].lx > 0.0)
+        reflect_path(paths[i], lx * paths[i].lx / total, cell, mix(g) ^ mix(~e) ^ i, e, tints, psi);
+    }
+  }
+
+  void reflect_path(const PairIntegrator::Path& path, double lx, std::size_t cell, std::uint64_t stream,
+                    std::size_t e, const std::vector<double>& tints, std::vector<double>& psi) const {
+    const Surface& surface = zone_.surfaces[cells_.surface_of(cell)];
+    Vec3 in = surface.polygon.frame().direction_to_local(path.towards);
+    in.z = std::max(in.z, 1e-9);
+    const LowDiscrepancy4 chance(stream);
+    std::array<FacetSample, kFacets> facets;
+    for (std::uint64_t f = 0; f < kFacets; ++f) {
+      const auto x = chance(f);
+      facets[f] = sample_facet(shine_.facets(surface.finish), in, x[0], x[1]);
+    }
+    for (std::size_t q = 0; q < classes_.size(); ++q) {
+      const auto& reflection = classes_.at(q, surface.finish);
+      std::array<double, kFacets> share{};
+      double sum = 0.0;
+      for (std::size_t f = 0; f < kFacets; ++f) {
+        if (facets[f].weight > 0.0) share[f] = facets[f].weight * reflection.fresnel(facets[f].facing);
+        sum += share[f];
+      }
+      if (!(sum > 0.0)) continue;
+      const double scale = lx * tints[q] * shine_.albedo(q, surface.finish).at(in.z) / sum;
+      const std::size_t column = q * n_sources_ + source_of_[emitters_[e].original];
+      for (std::size_t f = 0; f < kFacets; ++f) {
+        if (share[f] > 0.0) psi[shine_.grid().patch_of(facets[f].out) * n_all() + column] += scale * share[f];
+      }
+    }
+  }
+
+  const Zone& zone_;
+  const Cells& cells_;
+  const Lights& lights_;
+  const ReflectanceClasses& classes_;
+  const Shine& shine_;
+  const RayCaster& caster_;
+  const std::vector<std::size_t>& source_of_;
+  std::size_t n_sources_;
+  int mirror_depth_;
+  std::vector<Emitter> emitters_;
+  DirectColumns result_;
+  std::vector<double> lobe_lx_;                  // [n_off_specular, n_emitters]
+  std::vector<double> mirrored_, not_followed_;  // [n_cells, n_all]: cells of their own, summed in order
+};
+
+}  // namespace
+
+DirectColumns direct_columns(const Zone& zone, const Cells& cells, const Lights& lights,
+                             const ReflectanceClasses& classes, const Shine& shine, const RayCaster& caster,
+                             const std::vector<std::size_t>& source_of, std::size_t n_sources,
+                             int mirror_depth, const Job& job) {
+  return Builder(zone, cells, lights, classes, shine, caster, source_of, n_sources, mirror_depth).build(job);
+}
+
+}  // namespace dim

@@ -1,0 +1,74 @@
+#include "dimray/band_option.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <optional>
+
+#include "transport/auto_bands.hpp"
+
+namespace dim {
+namespace {
+
+constexpr int kMostBands = 400;
+
+std::optional<double> number(std::string_view text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || text.empty()) return std::nullopt;
+  return value;
+}
+
+// "380,480,580,780"
+std::optional<Bands> bands_of_edges(std::string_view text) {
+  Bands bands;
+  bands.edges_nm.clear();
+  while (true) {
+    const auto comma = text.find(',');
+    const auto edge = number(text.substr(0, comma));
+    if (!edge || (!bands.edges_nm.empty() && !(*edge > bands.edges_nm.back()))) return std::nullopt;
+    bands.edges_nm.push_back(*edge);
+    if (comma == std::string_view::npos) break;
+    text.remove_prefix(comma + 1);
+  }
+  if (bands.size() < 1 || bands.size() > kMostBands || bands.edges_nm.front() != kVisibleLow_nm ||
+      bands.edges_nm.back() != kVisibleHigh_nm)
+    return std::nullopt;
+  return bands;
+}
+
+std::optional<Bands> bands_of(const std::string& text) {
+  if (text.find(',') != std::string::npos) return bands_of_edges(text);
+  const auto n = number(text);
+  if (!n || !(*n >= 1 && *n <= kMostBands) || *n != static_cast<int>(*n)) return std::nullopt;
+  return Bands::uniform(static_cast<int>(*n));
+}
+
+}  // namespace
+
+void add_bands_option(CLI::App& app, std::string& text) {
+  const auto check = [](const std::string& value) -> std::string {
+    if (value == "auto" || bands_of(value)) return {};
+    return fmt::format(
+        "'{}' is not auto, a number of bands within 1..{}, or ascending edges from {} to {} nm", value,
+        kMostBands, kVisibleLow_nm, kVisibleHigh_nm);
+  };
+  app.add_option(
+         "--bands", text,
+         "Wavebands over 380-780 nm: a number of equal ones, their edges 380,480,...,780, or auto: the "
+         "fewest that keep colours within dE00 0.5 and luminances within 0.2 %")
+      ->check(CLI::Validator(check, ""))
+      ->type_name("auto|N|EDGES")
+      ->group("Accuracy");
+}
+
+Bands chosen_bands(Program& program, const std::string& text, const Zone& zone, const Lights& lights) {
+  if (text != "auto") return *bands_of(text);
+  const BandChoice choice = auto_bands(zone, lights);
+  program.say(fmt::format("{} waveband{}: colours within dE00 {:.2f}, luminances within {:.2f} %",
+                          choice.bands.size(), choice.bands.size() == 1 ? "" : "s", choice.delta_e_2000,
+                          100.0 * choice.luminance));
+  return choice.bands;
+}
+
+}  // namespace dim
