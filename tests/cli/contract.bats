@@ -6,7 +6,8 @@ setup() { load common; enter_copy; }
 
 @test "every program and command has help with an example and the exit status" {
   for command in dimdis "dimdis check" "dimdis areas" "dimdis viewfactors" "dimdis draw" dimray dimout \
-    "dimout info" "dimout surfaces" "dimout cells" "dimout grid" "dimout colour" "dimout image"; do
+    "dimout info" "dimout surfaces" "dimout cells" "dimout grid" "dimout colour" "dimout image" dimdbm "dimdbm list" \
+    "dimdbm show" "dimdbm plot" "dimdbm add" "dimdbm remove" "dimdbm check" "dimdbm export"; do
     run --separate-stderr $command --help
     echo "$command: $output $stderr"
     [ "$status" -eq 0 ]
@@ -18,7 +19,7 @@ setup() { load common; enter_copy; }
 }
 
 @test "every program and command says its version and file formats" {
-  for command in dimdis dimray dimout "dimdis areas" "dimout grid"; do
+  for command in dimdis dimray dimout dimdbm "dimdis areas" "dimout grid" "dimdbm add"; do
     run --separate-stderr $command --version
     [ "$status" -eq 0 ]
     [[ "$output" == "${command%% *} "[0-9]*"file formats:"* ]]
