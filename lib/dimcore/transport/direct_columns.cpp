@@ -17,7 +17,7 @@ class Builder {
  public:
   Builder(const Zone& zone, const Cells& cells, const Lights& lights, const ReflectanceClasses& classes,
           const Shine& shine, const RayCaster& caster, const std::vector<std::size_t>& source_of,
-          std::size_t n_sources, int mirror_depth)
+          std::size_t n_sources, int mirror_depth, bool in_the_way)
       : zone_(zone),
         cells_(cells),
         lights_(lights),
@@ -27,6 +27,7 @@ class Builder {
         source_of_(source_of),
         n_sources_(n_sources),
         mirror_depth_(shine.has_mirrors() ? mirror_depth : 0),
+        in_the_way_(in_the_way),
         emitters_(make_emitters(zone, lights, shine.mirrors(), mirror_depth_)) {
     result_.n_columns = shine.has_mirrors() ? n_sources * classes.size() : n_sources;
     result_.cell.assign(cells.size() * result_.n_columns, 0.0);
@@ -43,7 +44,7 @@ class Builder {
         [&](std::size_t p, std::size_t e, double lx) {
           if (lx > 0.0) add(&result_.point[p * result_.n_columns], zone_.points[p].position, e, lx);
         },
-        job);
+        job, in_the_way_);
     auto& shine = result_.shine;
     shine.mirrored.assign(n_all(), 0.0);
     shine.not_followed.assign(n_all(), 0.0);
@@ -51,6 +52,7 @@ class Builder {
       shine.mirrored[at % n_all()] += mirrored_[at];
       shine.not_followed[at % n_all()] += not_followed_[at];
     }
+    result_.n_images = emitters_.size() - lights_.luminaires.size();
     shine.psi.assign(shine_.n_states() * n_all(), 0.0F);
     if (shine_.n_off_specular() > 0) fill_lobes(job);
     return std::move(result_);
@@ -111,7 +113,7 @@ class Builder {
   }
 
   void fill_lobes(const Job& job) {
-    const auto integrators = make_integrators(zone_, lights_, emitters_, caster_);
+    const auto integrators = make_integrators(zone_, lights_, emitters_, caster_, in_the_way_);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, shine_.n_off_specular(), 4), [&](const auto& range) {
       if (job.stopped()) return;
       std::vector<double> psi;
@@ -192,6 +194,7 @@ class Builder {
   const std::vector<std::size_t>& source_of_;
   std::size_t n_sources_;
   int mirror_depth_;
+  bool in_the_way_;
   std::vector<Emitter> emitters_;
   DirectColumns result_;
   std::vector<double> lobe_lx_;                  // [n_off_specular, n_emitters]
@@ -203,8 +206,9 @@ class Builder {
 DirectColumns direct_columns(const Zone& zone, const Cells& cells, const Lights& lights,
                              const ReflectanceClasses& classes, const Shine& shine, const RayCaster& caster,
                              const std::vector<std::size_t>& source_of, std::size_t n_sources,
-                             int mirror_depth, const Job& job) {
-  return Builder(zone, cells, lights, classes, shine, caster, source_of, n_sources, mirror_depth).build(job);
+                             int mirror_depth, bool in_the_way, const Job& job) {
+  return Builder(zone, cells, lights, classes, shine, caster, source_of, n_sources, mirror_depth, in_the_way)
+      .build(job);
 }
 
 }  // namespace dim

@@ -24,13 +24,14 @@ constexpr int kFaintRays = 2;
 }  // namespace
 
 PairIntegrator::PairIntegrator(const Zone& zone, const RayCaster& caster, const Emitter& emitter,
-                               double faint_lx, int n_probe_rays, std::uint64_t stream)
+                               double faint_lx, int n_probe_rays, std::uint64_t stream, bool in_the_way)
     : zone_(zone),
       caster_(caster),
       emitter_(emitter),
       luminaire_(emitter.luminaire),
       fitting_(*emitter.fitting),
       n_probe_rays_(n_probe_rays),
+      test_visibility_(in_the_way || !emitter.mirrors.empty()),
       stream_(mix(stream)),
       near_(kNear) {
   faint_ = luminaire_.factor > 0.0 ? faint_lx / luminaire_.factor : 0.0;
@@ -64,6 +65,7 @@ PairIntegrator::Path PairIntegrator::path(const Receiver& receiver, const Part& 
 }
 
 bool PairIntegrator::blocked(const Vec3& receiver, const Vec3& on_opening, int skip) const {
+  if (!test_visibility_) return false;
   return emitter_.mirrors.empty() ? caster_.blocked(receiver, on_opening, skip)
                                   : path_blocked(zone_, caster_, emitter_, receiver, on_opening, skip);
 }
@@ -197,7 +199,7 @@ void PairIntegrator::probe(Probe& sum, int n, const Receiver& receiver, const Pa
 
 PairIntegrator::Sum PairIntegrator::leaf(const Receiver& receiver, const Part& part, const Smooth& expected,
                                          int halvings, Chance& chance) const {
-  if (receiver.whole && !(expected.mean > 0.0)) return {1.0, 0.0};
+  if (receiver.whole && (!test_visibility_ || !(expected.mean > 0.0))) return {1.0, expected.mean};
   const bool points = receiver.polygon == nullptr && opening_m_ == Vec2(0.0);
   int n = std::max(kMinProbeRays, n_probe_rays_ >> std::min(halvings, 4));
   if (!receiver.whole) n = std::max(n, n_probe_rays_);

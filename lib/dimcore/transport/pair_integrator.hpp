@@ -40,8 +40,9 @@ class PairIntegrator {
  public:
   /// @param faint_lx      pairs that bring less (where they are not near) are sampled coarsely
   /// @param n_probe_rays  that probe the visibility of a pair
+  /// @param in_the_way    false where nothing can be: visibility is not tested (mirrors' edges are)
   PairIntegrator(const Zone& zone, const RayCaster& caster, const Emitter& emitter, double faint_lx,
-                 int n_probe_rays, std::uint64_t stream);
+                 int n_probe_rays, std::uint64_t stream, bool in_the_way = true);
 
   /// Mean illuminance over the receiver with the luminaire's factor left out.
   double mean(const Receiver& receiver, const Part& pair) const;
@@ -103,6 +104,7 @@ class PairIntegrator {
   const Luminaire& luminaire_;
   const Fitting& fitting_;
   int n_probe_rays_;
+  bool test_visibility_;
   std::uint64_t stream_;
   Vec2 opening_m_{0.0};
   double faint_ = 0.0;
