@@ -85,6 +85,7 @@ class ImageCommand {
   std::string range_;
   bool logarithmic_ = false;
   double white_cd_m2_ = 0.0;
+  double screen_white_cd_m2_ = 100.0;
   int samples_ = 3;
   CLI::App* image_;
 };

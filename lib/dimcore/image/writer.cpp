@@ -21,15 +21,34 @@ void note_size(PictureReport& report, int width, int height) {
   report.height = height;
 }
 
+void note_tone(PictureReport& report, const ToneResult& toned) {
+  note_size(report, toned.picture.width, toned.picture.height);
+  report.n_above_white = toned.n_above_white;
+  report.n_out_of_gamut = toned.n_out_of_gamut;
+}
+
 EncodedPicture linear_png(const PictureModule& module, const Raster& raster, const PictureOptions& options) {
   EncodedPicture result;
   const ToneResult toned = tone_linear(raster, options.linear);
-  note_size(result.report, raster.width, raster.height);
+  note_tone(result.report, toned);
   result.report.display_white_cd_m2 = toned.display_white_cd_m2;
   result.report.automatic_exposure = !options.linear.display_white_cd_m2;
-  result.report.n_above_white = toned.n_above_white;
-  result.report.n_out_of_gamut = toned.n_out_of_gamut;
   const std::string words = fmt::format("linear tone, white = {:.4g} cd/m2", toned.display_white_cd_m2);
+  result.bytes = module.png(toned.picture, with_description(options.notes, words));
+  return result;
+}
+
+EncodedPicture stevens_png(const PictureModule& module, const Raster& raster, const PictureOptions& options) {
+  EncodedPicture result;
+  const StevensResult mapped = map_brightness(raster, options.stevens);
+  ToneOptions tone = options.linear;
+  tone.display_white_cd_m2 = options.stevens.screen_white_cd_m2;
+  const ToneResult toned = tone_linear(mapped.shown, tone);
+  note_tone(result.report, toned);
+  result.report.scene_adaptation_cd_m2 = mapped.scene_adaptation_cd_m2;
+  const std::string words =
+      fmt::format("Stevens brightness mapping, eye adapted to {:.4g} cd/m2, screen of {:.4g} cd/m2",
+                  mapped.scene_adaptation_cd_m2, options.stevens.screen_white_cd_m2);
   result.bytes = module.png(toned.picture, with_description(options.notes, words));
   return result;
 }
@@ -95,8 +114,15 @@ EncodedPicture encode_picture(const PictureModule& module, const Raster& raster,
     case PictureFormat::png:
       break;
   }
-  return options.tone == Tone::linear ? linear_png(module, raster, options)
-                                      : false_colour_png(module, raster, options);
+  switch (options.tone) {
+    case Tone::linear:
+      return linear_png(module, raster, options);
+    case Tone::stevens:
+      return stevens_png(module, raster, options);
+    case Tone::false_colour:
+      break;
+  }
+  return false_colour_png(module, raster, options);
 }
 
 PictureReport write_picture(const std::string& library_dir, const std::string& path, const Raster& raster,
