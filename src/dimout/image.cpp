@@ -80,6 +80,8 @@ ImageCommand::ImageCommand(Program& program) : program_(program) {
       ->check(number_within(0.0, HUGE_VAL, true))
       ->type_name("CD_M2")
       ->group("Stevens tone");
+  app.add_flag("--spectral", spectral_, "Also the spectral radiance in each waveband, channels S0.*")
+      ->group("OpenEXR");
   app.add_option("--quantity", quantity_, "What false colour shows")
       ->check(CLI::IsMember({"illuminance", "luminance"}))
       ->group("False colour");
@@ -104,6 +106,8 @@ View ImageCommand::chosen_view(const Zone& zone) const {
 void ImageCommand::render() {
   const auto format = picture_format_of(input_.output);
   if (!format) throw UsageError("-o '" + input_.output + "': the name must end in .png, .hdr or .exr");
+  if (spectral_ && *format != PictureFormat::exr)
+    throw UsageError("--spectral: -o '" + input_.output + "' must end in .exr, which alone holds spectra");
   program_.check_output(input_.output, {input_.path});
   PictureOptions picture;
   picture.format = *format;
@@ -125,6 +129,7 @@ void ImageCommand::render() {
   options.samples = samples_;
   options.smooth = shade_ == "smooth";
   options.scalar = quantity_ == "illuminance" ? ScalarQuantity::illuminance : ScalarQuantity::luminance;
+  options.spectral = spectral_;
   program_.stage("render");
   const Mix mix = mix_of(database, input_);
   const Raster raster = render_view(database, cells, mix, options, program_.job());

@@ -14,6 +14,7 @@ struct RenderOptions {
   int samples = 3;     ///< rays through each pixel: samples x samples, >= 1
   bool smooth = true;  ///< interpolate cells within a surface (never across its edge); else flat cells
   ScalarQuantity scalar = ScalarQuantity::illuminance;
+  bool spectral = false;  ///< also fill Raster::radiance
 };
 
 /// A view of the zone: every pixel the mean over its rays of what they meet first, a cell or a luminaire's

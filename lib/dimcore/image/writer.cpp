@@ -86,9 +86,11 @@ EncodedPicture radiance_file(const PictureModule& module, const Raster& raster,
 EncodedPicture exr_file(const PictureModule& module, const Raster& raster, const PictureOptions& options) {
   EncodedPicture result;
   note_size(result.report, raster.width, raster.height);
-  result.bytes =
-      module.exr(exr_pixels(raster, options.linear.scene_white_xyz),
-                 with_description(options.notes, "R = G = B = 1 is 1 cd/m2; luminance.Y in cd/m2"));
+  const SpectralPixels spectral = spectral_pixels(raster);
+  std::string words = "R = G = B = 1 is 1 cd/m2; luminance.Y in cd/m2";
+  if (!spectral.empty()) words += "; S0.*: mean of each waveband, W/(m2 sr nm)";
+  result.bytes = module.exr(exr_pixels(raster, options.linear.scene_white_xyz),
+                            with_description(options.notes, words), spectral);
   return result;
 }
 

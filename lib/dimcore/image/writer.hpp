@@ -21,6 +21,7 @@ std::optional<PictureFormat> picture_format_of(const std::string& path);
 
 enum class Tone { linear, stevens, false_colour };
 
+/// An OpenEXR picture holds spectral channels where the raster has radiance by band (see spectral_pixels).
 struct PictureOptions {
   PictureFormat format = PictureFormat::png;
   /// PNG only; the other two hold physical values, whatever the tone.
