@@ -27,10 +27,20 @@ void note_tone(PictureReport& report, const ToneResult& toned) {
   report.n_out_of_gamut = toned.n_out_of_gamut;
 }
 
+// Says so where the light of the scene cannot be shown as white.
+void note_white(PictureReport& report, const PictureOptions& options) {
+  const Vec3& white = options.linear.scene_white_xyz;
+  if (neutral_white(white, options.linear.display) == white) return;
+  report.warnings.push_back({{},
+                             "the light of this scene is too strongly coloured to be shown as white",
+                             "the picture keeps its colour"});
+}
+
 EncodedPicture linear_png(const PictureModule& module, const Raster& raster, const PictureOptions& options) {
   EncodedPicture result;
   const ToneResult toned = tone_linear(raster, options.linear);
   note_tone(result.report, toned);
+  note_white(result.report, options);
   result.report.display_white_cd_m2 = toned.display_white_cd_m2;
   result.report.automatic_exposure = !options.linear.display_white_cd_m2;
   const std::string words = fmt::format("linear tone, white = {:.4g} cd/m2", toned.display_white_cd_m2);
@@ -45,6 +55,7 @@ EncodedPicture stevens_png(const PictureModule& module, const Raster& raster, co
   tone.display_white_cd_m2 = options.stevens.screen_white_cd_m2;
   const ToneResult toned = tone_linear(mapped.shown, tone);
   note_tone(result.report, toned);
+  note_white(result.report, options);
   result.report.scene_adaptation_cd_m2 = mapped.scene_adaptation_cd_m2;
   const std::string words =
       fmt::format("Stevens brightness mapping, eye adapted to {:.4g} cd/m2, screen of {:.4g} cd/m2",
@@ -86,6 +97,7 @@ EncodedPicture radiance_file(const PictureModule& module, const Raster& raster,
 EncodedPicture exr_file(const PictureModule& module, const Raster& raster, const PictureOptions& options) {
   EncodedPicture result;
   note_size(result.report, raster.width, raster.height);
+  note_white(result.report, options);
   const SpectralPixels spectral = spectral_pixels(raster);
   std::string words = "R = G = B = 1 is 1 cd/m2; luminance.Y in cd/m2";
   if (!spectral.empty()) words += "; S0.*: mean of each waveband, W/(m2 sr nm)";

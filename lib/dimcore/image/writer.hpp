@@ -45,7 +45,7 @@ struct PictureReport {
   Scale scale;                     ///< false colour: the scale used
   std::size_t n_below_scale = 0;
   std::size_t n_above_scale = 0;
-  Warnings warnings;  ///< a legend without words
+  Warnings warnings;  ///< a legend without words, light too coloured to be shown as white
 };
 
 struct EncodedPicture {
