@@ -54,13 +54,26 @@ double PairIntegrator::mean(const Receiver& receiver, const Part& pair) const {
 PairIntegrator::Path PairIntegrator::path(const Receiver& receiver, const Part& pair,
                                           const std::array<double, 4>& x) const {
   Path path;
-  const Vec2 local(pair[0].at(x[0]), pair[1].at(x[1]));
   const Vec3 q = on_opening(pair[2].at(x[2]), pair[3].at(x[3]));
+  if (receiver.polygon == nullptr) {
+    path.at = receiver.frame->origin;
+    path.towards = glm::normalize(q - path.at);
+    const double lx = unshadowed(receiver, path.at, q);
+    if (lx > 0.0 && !blocked(path.at, q, receiver.skip)) path.lx = lx;
+    return path;
+  }
+  if (receiver.frame->height(q) <= caster_.tolerance_m()) return path;
+  // Evenly over the solid angle that the cell fills: what is near is not missed.
+  const Vec2 low(pair[0].low, pair[1].low), high(pair[0].high, pair[1].high);
+  const SphericalRectangle seen(*receiver.frame, low, high, q);
+  if (!(seen.solid_angle_sr() > 0.0)) return path;
+  const Vec2 local = seen.sample(x[0], x[1]);
   path.at = receiver.frame->to_world(local);
   path.towards = glm::normalize(q - path.at);
   if (!receiver.whole && !receiver.polygon->contains(local)) return path;
-  const double lx = unshadowed(receiver, path.at, q);
-  if (lx > 0.0 && !blocked(path.at, q, receiver.skip)) path.lx = lx;
+  const double cd = fitting_.intensity.at(luminaire_.to_local(path.at - q));
+  if (cd > 0.0 && !blocked(path.at, q, receiver.skip))
+    path.lx = cd * seen.solid_angle_sr() / (pair[0].length() * pair[1].length());
   return path;
 }
 

@@ -48,7 +48,9 @@ class PairIntegrator {
   double mean(const Receiver& receiver, const Part& pair) const;
 
   /// One path between receiver and opening, at four coordinates in [0, 1): where it comes in, and what
-  /// illuminance it brings, 0 if blocked or outside the cell.
+  /// illuminance it brings to the whole receiver, 0 if blocked or outside the cell. The mean over many is the
+  /// receiver's (times the cell's share of its rectangle). Cells are sampled by the solid angle they fill,
+  /// seen from the opening.
   struct Path {
     Vec3 at{0.0};       ///< on the receiver
     Vec3 towards{0.0};  ///< unit, to the emitter
