@@ -31,7 +31,8 @@ std::string source_of(const Photometry& photometry, const std::string& file) {
   for (const char* keyword : {"MANUFAC", "LUMCAT", "TEST"})
     if (const std::string value = photometry.keyword(keyword); !value.empty())
       source += (source.empty() ? "" : ", ") + value;
-  return fmt::format("{}{}{}", source, source.empty() ? "" : "; ", "from " + fs::path(file).filename().string());
+  return fmt::format("{}{}{}", source, source.empty() ? "" : "; ",
+                     "from " + fs::path(file).filename().string());
 }
 
 const std::vector<std::string> kValueUnits = {"found", "fraction", "percent"};
@@ -57,23 +58,40 @@ AddCommand::AddCommand(Program& program) : program_(program) {
   add_manage_option(app, db_);
   app.add_option("--title", title_, "What it is, in words")->type_name("TEXT")->group("Entry");
   app.add_option("--source", source_, "Where the figures come from")->type_name("TEXT")->group("Entry");
-  app.add_option("--licence", licence_, "Under what terms they may be used")->type_name("TEXT")->group("Entry");
-  app.add_option("--spectrum", spectrum_, "Spectrum by name, for example led-4000")->type_name("NAME")->group("Fitting");
+  app.add_option("--licence", licence_, "Under what terms they may be used")
+      ->type_name("TEXT")
+      ->group("Entry");
+  app.add_option("--spectrum", spectrum_, "Spectrum by name, for example led-4000")
+      ->type_name("NAME")
+      ->group("Fitting");
   app.add_option("--watts", watts_, "Power, W, in place of the file's")
-      ->check(number_within(0.0, HUGE_VAL, true))->type_name("W")->group("Fitting");
+      ->check(number_within(0.0, HUGE_VAL, true))
+      ->type_name("W")
+      ->group("Fitting");
   app.add_option("--lumens", lumens_, "Luminaire flux to scale the intensities to, lm")
-      ->check(number_within(0.0, HUGE_VAL, true))->type_name("LM")->group("Fitting");
+      ->check(number_within(0.0, HUGE_VAL, true))
+      ->type_name("LM")
+      ->group("Fitting");
   app.add_option("--lamp-factor", lamp_factor_, "Flux of the lamps used over that of the lamps measured")
-      ->check(number_within(0.0, 1e6, true))->type_name("F")->group("Fitting");
+      ->check(number_within(0.0, 1e6, true))
+      ->type_name("F")
+      ->group("Fitting");
   app.add_option("--maintenance-factor", maintenance_factor_, "Flux in use over flux when new")
-      ->check(number_within(0.0, 1.0, true))->type_name("F")->group("Fitting");
+      ->check(number_within(0.0, 1.0, true))
+      ->type_name("F")
+      ->group("Fitting");
   app.add_option("--kind", kind_, "What a spectrum is of; a glazing's columns are transmittance, reflectance")
-      ->check(CLI::IsMember({"opaque", "glazing"}))->group("Spectrum");
-  app.add_option("--column", column_, "Which column of values, counted from 1")->check(CLI::Range(1, 99))->group("Spectrum");
+      ->check(CLI::IsMember({"opaque", "glazing"}))
+      ->group("Spectrum");
+  app.add_option("--column", column_, "Which column of values, counted from 1")
+      ->check(CLI::Range(1, 99))
+      ->group("Spectrum");
   app.add_option("--wavelengths", wavelengths_, "Unit of wavelength: nm, um, or found")
-      ->check(CLI::IsMember(kWavelengthUnits))->group("Spectrum");
+      ->check(CLI::IsMember(kWavelengthUnits))
+      ->group("Spectrum");
   app.add_option("--values", values_, "Unit of the values: fraction, percent, or found")
-      ->check(CLI::IsMember(kValueUnits))->group("Spectrum");
+      ->check(CLI::IsMember(kValueUnits))
+      ->group("Spectrum");
   program.add_common_options(app);
 }
 
@@ -94,7 +112,8 @@ bool AddCommand::run() {
 std::string AddCommand::new_name() const {
   if (!name_.empty()) {
     if (is_entry_name(name_)) return name_;
-    throw UsageError(fmt::format("--name '{}' is not a safe file name: letters, digits, '-', '_', '+' and '.'", name_));
+    throw UsageError(
+        fmt::format("--name '{}' is not a safe file name: letters, digits, '-', '_', '+' and '.'", name_));
   }
   const std::string name = entry_name_from(fs::path(file_).stem().string());
   if (name.empty()) throw UsageError("'" + file_ + "' makes no name for the entry; give --name NAME");
@@ -105,7 +124,8 @@ void AddCommand::store(const std::string& kind, const std::string& name, std::ve
   EntryStore store((fs::path(managed_database(db_)) / kind).string());
   program_.stage(kWritingStage);
   if (const auto taken = store.add(files, force_))
-    throw InputError({{(fs::path(store.folder()) / *taken).string(), 0, 0}, "exists already: nothing was added",
+    throw InputError({{(fs::path(store.folder()) / *taken).string(), 0, 0},
+                      "exists already: nothing was added",
                       "give another --name, or --force to replace it"});
   program_.say(fmt::format("added {}/{}", store.folder(), name));
 }
@@ -119,7 +139,8 @@ void AddCommand::add_photometry() {
   std::string bytes = read_text_file(file_, kMaxPhotometryBytes);
   std::string stored = name + extension_of(file_);
   // Lamp tilt in a file beside it would be left behind.
-  if (photometry.tilt && in_capitals(bytes).find("TILT=INCLUDE") == std::string::npos) bytes = ies_text(photometry);
+  if (photometry.tilt && in_capitals(bytes).find("TILT=INCLUDE") == std::string::npos)
+    bytes = ies_text(photometry);
   FittingEntry entry;
   entry.title = title_.empty() ? photometry.keyword("LUMINAIRE") : title_;
   entry.file = stored;
@@ -145,7 +166,8 @@ void AddCommand::add_spectrum() {
   draft.glazing = kind_ == "glazing";
   const std::size_t n_wanted = column + (draft.glazing ? 2 : 1);
   if (table.curves.size() < n_wanted)
-    throw InputError({{file_, 0, 0}, fmt::format("{} columns of values where {} are needed", table.curves.size(), n_wanted),
+    throw InputError({{file_, 0, 0},
+                      fmt::format("{} columns of values where {} are needed", table.curves.size(), n_wanted),
                       draft.glazing ? "a glazing has transmittance, then reflectance" : "see --column"});
   draft.diffuse = draft.transmittance = table.curves[column];
   if (draft.glazing) draft.reflectance = table.curves[column + 1];
@@ -174,7 +196,8 @@ void AddCommand::add_entry() {
   const std::string stored = name + extension_of(entry.file);
   std::vector<StoredFile> files = {{stored, read_text_file(entry.file, kMaxPhotometryBytes)}};
   // The entry's own words are kept where its file keeps its name.
-  const bool renamed = toml::table(parse_toml(text, file_, {"fitting", 1, false, {}}))["file"].value_or(std::string()) != stored;
+  const bool renamed = toml::table(parse_toml(text, file_, {"fitting", 1, false, {}}))["file"].value_or(
+                           std::string()) != stored;
   entry.file = stored;
   files.push_back({name + ".toml", renamed ? fitting_entry_text(entry) : text});
   store(kFittings, name, std::move(files));

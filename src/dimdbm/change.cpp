@@ -4,6 +4,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/input_file.hpp"
+#include "common/database_option.hpp"
 #include "database/entry_name.hpp"
 #include "database/toml_reader.hpp"
 #include "dimdbm/commands.hpp"
@@ -20,16 +21,20 @@ std::vector<std::string> own_files(const std::string& folder, const std::string&
   const auto named_by = [&](const std::string& entry) -> std::string {
     try {
       const std::string path = (fs::path(folder) / (entry + ".toml")).string();
-      return fs::path(read_fitting_entry(read_text_file(path, kMaxTomlBytes), path, entry).file).lexically_normal().string();
+      return fs::path(read_fitting_entry(read_text_file(path, kMaxTomlBytes), path, entry).file)
+          .lexically_normal()
+          .string();
     } catch (const Error&) {
       return {};
     }
   };
   const std::string file = named_by(name);
-  if (file.empty() || fs::path(file).parent_path().lexically_normal() != fs::path(folder).lexically_normal()) return {};
+  if (file.empty() || fs::path(file).parent_path().lexically_normal() != fs::path(folder).lexically_normal())
+    return {};
   std::error_code error;
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
-    if (it->path().extension() == ".toml" && it->path().stem() != name && named_by(it->path().stem().string()) == file)
+    if (it->path().extension() == ".toml" && it->path().stem() != name &&
+        named_by(it->path().stem().string()) == file)
       return {};
   return {fs::path(file).filename().string()};
 }
@@ -39,7 +44,7 @@ std::vector<std::string> own_files(const std::string& folder, const std::string&
 RemoveCommand::RemoveCommand(Program& program) : program_(program) {
   remove_ = program.add_command("remove", "Removes entries and the photometric files that only they use",
                                 "  dimdbm remove old-lamp");
-  remove_->add_option("ENTRY", names_, "Entries to remove")->required()->type_name("");
+  remove_->add_option("ENTRY", names_, "Entries to remove")->required()->type_name("")->default_str("");
   remove_->add_option("--kind", kind_, "fittings or surfaces, where both have an entry of this name")
       ->check(CLI::IsMember({"any", kFittings, kSurfaces}));
   add_manage_option(*remove_, db_);
@@ -58,7 +63,8 @@ bool RemoveCommand::run() {
     auto known = search.names(kFittings);
     for (auto& surface : search.names(kSurfaces)) known.push_back(std::move(surface));
     if (kinds.empty())
-      problems.add({}, fmt::format("no entry '{}' in {}", name, search.folders.front()), did_you_mean(name, known));
+      problems.add({}, fmt::format("no entry '{}' in {}", name, search.folders.front()),
+                   did_you_mean(name, known));
     else if (kinds.size() > 1)
       problems.add({}, fmt::format("'{}' is both a fitting and a surface", name), "say which with --kind");
     else
@@ -80,11 +86,13 @@ bool RemoveCommand::run() {
 ExportCommand::ExportCommand(Program& program) : program_(program) {
   export_ = program.add_command("export", "Writes a fitting as IES LM-63-2002 or EULUMDAT, any entry as TOML",
                                 "  dimdbm export troffer-3600 -o troffer.ldt");
-  export_->add_option("ENTRY|FILE", what_, "Entry, or an .ies, .ldt or entry's .toml file")->required()->type_name("");
+  export_->add_option("ENTRY|FILE", what_, "Entry, or an .ies, .ldt or entry's .toml file")
+      ->required()
+      ->type_name("");
   export_->add_option("-o,--output", output_, "File to write, - for standard output")->type_name("FILE");
   export_->add_option("--format", format_, "ies, ldt or toml; from the output's ending unless said")
       ->check(CLI::IsMember({"ies", "ldt", "toml"}));
-  add_look_option(*export_, db_);
+  add_database_option(*export_, db_);
   program.add_common_options(*export_);
 }
 
@@ -97,10 +105,11 @@ bool ExportCommand::run() {
   if (format.empty()) throw UsageError("--format is needed where -o does not end in .ies, .ldt or .toml");
   program_.check_output(output_, {what_});
   Warnings warnings;
-  const Found found = find_entry_or_file(look_in(db_), what_, warnings);
+  const Found found = find_entry_or_file(database_search(db_, "-"), what_, warnings);
   const FittingRecord* record = found.fitting();
   if (!record && format != "toml")
-    throw InputError({{found.path, 0, 0}, fmt::format("a surface has no intensities to write as {}", format), ""});
+    throw InputError(
+        {{found.path, 0, 0}, fmt::format("a surface has no intensities to write as {}", format), ""});
   std::string text;
   if (format == "ies")
     text = ies_text(record->photometry);

@@ -14,7 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Found read_entry(const std::string& kind, const std::string& path, const std::string& name, Warnings& warnings) {
+Found read_entry(const std::string& kind, const std::string& path, const std::string& name,
+                 Warnings& warnings) {
   if (kind == kFittings) return {read_fitting_record(path, name, warnings), path};
   return {read_surface_entry(read_text_file(path, kMaxTomlBytes), path, name), path};
 }
@@ -28,19 +29,13 @@ bool names_kind(const std::string& name, const std::string& kind, std::string& r
 
 }  // namespace
 
-void add_look_option(CLI::App& app, std::string& folder) {
-  app.add_option("--db", folder, "Database folder, in place of db/ here and the installed one")
-      ->type_name("DIR")
-      ->group("Input");
-}
-
 void add_manage_option(CLI::App& app, std::string& folder) {
   app.add_option("--db", folder, "Database folder to change; db in the current folder unless said")
       ->type_name("DIR")
       ->group("Input");
 }
 
-DatabaseSearch look_in(const std::string& option) {
+DatabaseSearch databases_to_list(const std::string& option) {
   DatabaseSearch search = database_search(option, "-");
   if (!option.empty()) search.folders.resize(1);
   return search;
@@ -73,16 +68,19 @@ Found find_entry_or_file(const DatabaseSearch& search, const std::string& name, 
   if (is_photometric_name(name) || (name == "-")) return {fitting_record_of_file(name, warnings), name};
   if (fs::path(name).extension() == ".toml") {
     const std::string text = read_text_file(name, kMaxTomlBytes);
-    return read_entry(is_fitting_text(text, name) ? kFittings : kSurfaces, name, fs::path(name).stem().string(),
-                      warnings);
+    return read_entry(is_fitting_text(text, name) ? kFittings : kSurfaces, name,
+                      fs::path(name).stem().string(), warnings);
   }
   if (fs::exists(name, error))
-    throw InputError({{name, 0, 0}, "is neither an .ies, .ldt nor .toml file, and no entry has this name",
+    throw InputError({{name, 0, 0},
+                      "is neither an .ies, .ldt nor .toml file, and no entry has this name",
                       "dimdbm add reads spectra (.csv)"});
   auto known = search.names(kFittings);
   for (auto& surface : search.names(kSurfaces)) known.push_back(std::move(surface));
-  throw InputError({{}, "no entry '" + name + "' in " + search.places(kFittings) + ", " + search.places(kSurfaces),
-                    did_you_mean(name, known)});
+  throw InputError(
+      {{},
+       "no entry '" + name + "' in " + search.places(kFittings) + ", " + search.places(kSurfaces),
+       did_you_mean(name, known)});
 }
 
 }  // namespace dim

@@ -15,12 +15,12 @@ namespace dim {
 inline constexpr const char* kFittings = "fittings";
 inline constexpr const char* kSurfaces = "surfaces";
 
-/// Adds `--db` for commands that look (`--db`, then the usual places) or that manage one database.
-void add_look_option(CLI::App& app, std::string& folder);
+/// Adds `--db` for commands that change one database.
 void add_manage_option(CLI::App& app, std::string& folder);
 
-/// Where to look: only `--db` where it is given, else `db/` in the current folder and the installed database.
-DatabaseSearch look_in(const std::string& option);
+/// What list and check go through: `--db` alone where it is given, else `db/` in the current folder and the
+/// installed database.
+DatabaseSearch databases_to_list(const std::string& option);
 
 /// The database to change: `--db`, else `db` in the current folder.
 std::string managed_database(const std::string& option);

@@ -8,10 +8,12 @@
 
 #include "base/atomic_file.hpp"
 #include "base/input_file.hpp"
+#include "common/database_option.hpp"
 #include "database/finish_figures.hpp"
 #include "database/surface_entry.hpp"
 #include "database/toml_reader.hpp"
 #include "dimdbm/commands.hpp"
+#include "photometry/text_scanner.hpp"
 #include "spectrum/colour.hpp"
 #include "spectrum/named_spectra.hpp"
 #include "spectrum/white.hpp"
@@ -137,15 +139,19 @@ std::string figure(double value, const char* form) {
   return std::isnan(value) ? "" : fmt::format(fmt::runtime(form), value);
 }
 
-std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+// Safe to print: names and sources may hold anything.
+std::string first_line(const std::string& text) { return to_utf8(text.substr(0, text.find('\n'))); }
 
 const char* type_name(PhotometricType type) {
   return type == PhotometricType::kC ? "C" : type == PhotometricType::kB ? "B" : "A";
 }
 
 const char* shape_name(OpeningShape shape) {
-  static const char* const kNames[] = {"point",   "line",  "rectangle",           "box",          "ellipse",
-                                       "vertical cylinder", "ellipsoid", "horizontal cylinder", "vertical ellipse"};
+  static const char* const kNames[] = {"point",           "line",
+                                       "rectangle",       "box",
+                                       "ellipse",         "vertical cylinder",
+                                       "ellipsoid",       "horizontal cylinder",
+                                       "vertical ellipse"};
   return kNames[static_cast<std::size_t>(shape)];
 }
 
@@ -157,13 +163,18 @@ nlohmann::ordered_json json_number(double value) {
   return std::isnan(value) ? nlohmann::ordered_json() : nlohmann::ordered_json(value);
 }
 
+std::string words_of(const nlohmann::ordered_json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number_float()) return fmt::format("{:.6g}", value.get<double>());
+  if (!value.is_array()) return value.is_null() ? "-" : value.dump();
+  std::string words;
+  for (const auto& one : value) words += (words.empty() ? "" : " x ") + words_of(one);
+  return words;
+}
+
 std::string lines_of(const nlohmann::ordered_json& json) {
   std::string text;
-  for (const auto& [key, value] : json.items())
-    text += fmt::format("{:<24} {}\n", key, value.is_string() ? value.get<std::string>()
-                                            : value.is_null() ? "-"
-                                            : value.is_number_float() ? fmt::format("{:.6g}", value.get<double>())
-                                                                      : value.dump());
+  for (const auto& [key, value] : json.items()) text += fmt::format("{:<24} {}\n", key, words_of(value));
   return text;
 }
 
@@ -175,14 +186,17 @@ LookCommands::LookCommands(Program& program) : program_(program) {
                               "  dimdbm show troffer-3600 --json\n  dimdbm show lamp.ldt");
   check_ = program.add_command("check", "Looks through every entry: flux, albedo, sources named, files there",
                                "  dimdbm check --db db");
-  show_->add_option("ENTRY|FILE", what_, "Entry, or an .ies, .ldt or entry's .toml file")->required()->type_name("");
+  show_->add_option("ENTRY|FILE", what_, "Entry, or an .ies, .ldt or entry's .toml file")
+      ->required()
+      ->type_name("");
   for (auto* command : {list_, show_, check_}) {
-    add_look_option(*command, db_);
+    add_database_option(*command, db_);
     command->add_option("-o,--output", output_, "File to write, - for standard output")->type_name("FILE");
     command->add_flag("--json", json_, "JSON in place of text");
     if (command != show_) {
       command->add_flag("--csv", csv_, "CSV in place of text");
-      command->add_option("--kind", kind_, "fittings, surfaces or all")->check(CLI::IsMember({"all", kFittings, kSurfaces}));
+      command->add_option("--kind", kind_, "fittings, surfaces or all")
+          ->check(CLI::IsMember({"all", kFittings, kSurfaces}));
     }
     program.add_common_options(*command);
   }
@@ -207,35 +221,36 @@ void LookCommands::write_table(const Table& table) {
 }
 
 void LookCommands::list() {
-  const auto entries = entries_of(look_in(db_), kind_);
+  const auto entries = entries_of(databases_to_list(db_), kind_);
   const auto lines = read_lines(entries, false);
   if (json_ || csv_) {
-    Table table({"name", "kind", "flux_lm", "max_intensity_cd", "watts", "reflectance_or_transmittance", "cct_K",
-                 "colour", "source"});
+    Table table({"name", "kind", "flux_lm", "max_intensity_cd", "watts", "reflectance_or_transmittance",
+                 "cct_K", "colour", "source"});
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const auto& l = lines[i];
       table.add({entries[i].name, l.kind, l.flux_lm, l.max_cd, l.watts, l.share, l.cct_K, l.colour,
-                 l.problem.empty() ? l.source : "unreadable: " + first_line(l.problem)});
+                 l.problem.empty() ? first_line(l.source) : "unreadable: " + first_line(l.problem)});
     }
     return write_table(table);
   }
   std::size_t longest = 4;
   for (const auto& entry : entries) longest = std::max(longest, entry.name.size());
-  std::string text = fmt::format("{:<{}}  {:<8} {:>9} {:>9} {:>7} {:>7} {:>7}  {:<16} {}\n", "name", longest, "kind",
-                                 "lm", "cd", "W", "rho,tau", "CCT, K", "colour", "source");
+  std::string text = fmt::format("{:<{}}  {:<8} {:>9} {:>9} {:>7} {:>7} {:>7}  {:<16} {}\n", "name", longest,
+                                 "kind", "lm", "cd", "W", "rho,tau", "CCT, K", "colour", "source");
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const auto& l = lines[i];
-    text += fmt::format("{:<{}}  {:<8} {:>9} {:>9} {:>7} {:>7} {:>7}  {:<16} {}\n", entries[i].name, longest, l.kind,
-                        figure(l.flux_lm, "{:.1f}"), figure(l.max_cd, "{:.1f}"), figure(l.watts, "{:g}"),
-                        figure(l.share, "{:.3f}"), figure(l.cct_K, "{:.0f}"), l.colour,
-                        l.problem.empty() ? l.source : "unreadable: " + first_line(l.problem));
+    text +=
+        fmt::format("{:<{}}  {:<8} {:>9} {:>9} {:>7} {:>7} {:>7}  {:<16} {}\n", first_line(entries[i].name),
+                    longest, l.kind, figure(l.flux_lm, "{:.1f}"), figure(l.max_cd, "{:.1f}"),
+                    figure(l.watts, "{:g}"), figure(l.share, "{:.3f}"), figure(l.cct_K, "{:.0f}"), l.colour,
+                    l.problem.empty() ? first_line(l.source) : "unreadable: " + first_line(l.problem));
   }
   program_.stage(kWritingStage);
   write_file(output_, text);
 }
 
 Exit LookCommands::check() {
-  const auto entries = entries_of(look_in(db_), kind_);
+  const auto entries = entries_of(databases_to_list(db_), kind_);
   const auto lines = read_lines(entries, true);
   Table table({"name", "kind", "state", "problem"});
   std::size_t n_bad = 0;
@@ -244,9 +259,11 @@ Exit LookCommands::check() {
     const bool good = lines[i].problem.empty();
     if (!good) {
       ++n_bad;
-      text += fmt::format("{} {}: {}\n", lines[i].kind, entries[i].name, first_line(lines[i].problem));
+      text += fmt::format("{} {}: {}\n", lines[i].kind, first_line(entries[i].name),
+                          first_line(lines[i].problem));
     }
-    table.add({entries[i].name, lines[i].kind, std::string(good ? "good" : "bad"), first_line(lines[i].problem)});
+    table.add(
+        {entries[i].name, lines[i].kind, std::string(good ? "good" : "bad"), first_line(lines[i].problem)});
   }
   text += fmt::format("{} entries, {} with a problem\n", entries.size(), n_bad);
   if (json_ || csv_) {
@@ -260,7 +277,7 @@ Exit LookCommands::check() {
 
 void LookCommands::show() {
   Warnings warnings;
-  const Found found = find_entry_or_file(look_in(db_), what_, warnings);
+  const Found found = find_entry_or_file(database_search(db_, "-"), what_, warnings);
   program_.warn(warnings);
   if (const auto* record = found.fitting())
     show_fitting(*record);
@@ -287,7 +304,8 @@ void LookCommands::show_fitting(const FittingRecord& record) {
       {"opening_m", {p.opening.length_m, p.opening.width_m, p.opening.height_m}},
       {"opening_shape", shape_name(p.opening.shape)},
       {"watts", json_of(watts)},
-      {"efficacy_lm_W", watts && *watts > 0 ? nlohmann::ordered_json(p.flux_lm / *watts) : nlohmann::ordered_json()},
+      {"efficacy_lm_W",
+       watts && *watts > 0 ? nlohmann::ordered_json(p.flux_lm / *watts) : nlohmann::ordered_json()},
       {"spectrum", spectrum_words(entry)},
       {"cct_K", entry.spectrum ? json_number(cct_of(*entry.spectrum)) : nlohmann::ordered_json()},
       {"lamp_factor", entry.lamp_factor},
@@ -306,15 +324,14 @@ void LookCommands::show_surface(const Finish& finish) {
   const bool glazing = finish.kind == FinishKind::glazing;
   const Vec3 xyz = finish_xyz(finish, find_spectrum("d65"));
   const Vec2 xy = xy_of(xyz);
-  nlohmann::ordered_json json = {
-      {"name", finish.name},
-      {"kind", glazing ? "glazing" : "opaque"},
-      {glazing ? "luminous_transmittance" : "luminous_reflectance", xyz.y},
-      {"specular", finish.specular},
-      {"roughness", finish.roughness},
-      {"cie_x", json_number(xy.x)},
-      {"cie_y", json_number(xy.y)},
-      {"illuminant", "d65"}};
+  nlohmann::ordered_json json = {{"name", finish.name},
+                                 {"kind", glazing ? "glazing" : "opaque"},
+                                 {glazing ? "luminous_transmittance" : "luminous_reflectance", xyz.y},
+                                 {"specular", finish.specular},
+                                 {"roughness", finish.roughness},
+                                 {"cie_x", json_number(xy.x)},
+                                 {"cie_y", json_number(xy.y)},
+                                 {"illuminant", "d65"}};
   program_.stage(kWritingStage);
   write_file(output_, json_ ? json.dump(1) + "\n" : lines_of(json));
 }

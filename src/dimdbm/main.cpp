@@ -1,9 +1,10 @@
 #include "dimdbm/commands.hpp"
 
 int main(int argc, char** argv) {
-  dim::Program program("dimdbm", "Looks after the database of fittings and surfaces.",
-                       "  dimdbm list\n  dimdbm add lamp.ldt --spectrum led-4000\n  dimdbm plot lamp -o lamp.svg",
-                       "file formats: fitting/1, surface/1, IES LM-63-1986..2019, EULUMDAT");
+  dim::Program program(
+      "dimdbm", "Looks after the database of fittings and surfaces.",
+      "  dimdbm list\n  dimdbm add lamp.ldt --spectrum led-4000\n  dimdbm plot lamp -o lamp.svg",
+      "file formats: fitting/1, surface/1, IES LM-63-1986..2019, EULUMDAT");
   program.app().require_subcommand(1);
   program.add_common_options(program.app());
   dim::LookCommands look(program);

@@ -4,6 +4,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/version.hpp"
+#include "common/database_option.hpp"
 #include "database/finish_figures.hpp"
 #include "dimdbm/commands.hpp"
 #include "image/colour_space.hpp"
@@ -45,9 +46,9 @@ Drawing drawing_of(const Found& found) {
   std::vector<NamedCurve> curves;
   if (glazing) curves.push_back({"transm.", finish.transmittance});
   curves.push_back({"reflect.", reflectance_curve(finish)});
-  return spectrum_diagram(curves, display_colour(xyz),
-                          fmt::format("{}: {} {:.3f} (D65)", finish.name, glazing ? "transmittance" : "reflectance",
-                                      xyz.y));
+  return spectrum_diagram(
+      curves, display_colour(xyz),
+      fmt::format("{}: {} {:.3f} (D65)", finish.name, glazing ? "transmittance" : "reflectance", xyz.y));
 }
 
 }  // namespace
@@ -55,22 +56,27 @@ Drawing drawing_of(const Found& found) {
 PlotCommand::PlotCommand(Program& program) : program_(program) {
   plot_ = program.add_command("plot", "Polar curve of a fitting, spectrum of a surface: SVG or PNG",
                               "  dimdbm plot troffer-3600 -o troffer.svg");
-  plot_->add_option("ENTRY|FILE", what_, "Entry, or an .ies, .ldt or entry's .toml file")->required()->type_name("");
-  plot_->add_option("-o,--output", output_, "Picture; its ending says the format: svg, png; - for SVG on standard output")
+  plot_->add_option("ENTRY|FILE", what_, "Entry, or an .ies, .ldt or entry's .toml file")
+      ->required()
+      ->type_name("");
+  plot_
+      ->add_option("-o,--output", output_,
+                   "Picture; its ending says the format: svg, png; - for SVG on standard output")
       ->required()
       ->type_name("FILE");
-  add_look_option(*plot_, db_);
+  add_database_option(*plot_, db_);
   program.add_common_options(*plot_);
 }
 
 bool PlotCommand::run() {
   if (!plot_->parsed()) return false;
   const bool png = picture_format_of(output_) == PictureFormat::png;
-  const bool svg = output_ == "-" || (output_.size() > 4 && (output_.ends_with(".svg") || output_.ends_with(".SVG")));
+  const bool svg =
+      output_ == "-" || (output_.size() > 4 && (output_.ends_with(".svg") || output_.ends_with(".SVG")));
   if (!png && !svg) throw UsageError("-o '" + output_ + "': the name must end in .svg or .png");
   program_.check_output(output_, {what_});
   Warnings warnings;
-  const Drawing drawing = drawing_of(find_entry_or_file(look_in(db_), what_, warnings));
+  const Drawing drawing = drawing_of(find_entry_or_file(database_search(db_, "-"), what_, warnings));
   program_.warn(warnings);
   program_.stage(kWritingStage);
   if (svg) {

@@ -65,8 +65,10 @@ ImageCommand::ImageCommand(Program& program) : program_(program) {
   app.add_option("--view", view_, "View of the zone file; its first one unless said")->type_name("NAME");
   app.add_option("--size", size_, "Picture size in pixels in place of the view's")->type_name("WxH");
   app.add_option("--samples", samples_, "Rays through each pixel: N x N")->check(CLI::Range(1, 16));
-  app.add_option("--shade", shade_, "cell: flat cells; smooth: interpolated within each surface")
-      ->check(CLI::IsMember({"cell", "smooth"}));
+  app.add_option(
+         "--shade", shade_,
+         "cell: flat cells; smooth: interpolated within each surface; gather: direct light at every pixel")
+      ->check(CLI::IsMember({"cell", "smooth", "gather"}));
   app.add_option(
          "--tone", tone_,
          "linear: display luminance in proportion; stevens: as bright on the screen as the scene looks; "
@@ -127,7 +129,8 @@ void ImageCommand::render() {
   RenderOptions options;
   options.view = chosen_view(database.zone());
   options.samples = samples_;
-  options.smooth = shade_ == "smooth";
+  options.shading =
+      shade_ == "cell" ? Shading::cell : (shade_ == "smooth" ? Shading::smooth : Shading::gather);
   options.scalar = quantity_ == "illuminance" ? ScalarQuantity::illuminance : ScalarQuantity::luminance;
   options.spectral = spectral_;
   program_.stage("render");

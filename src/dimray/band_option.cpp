@@ -44,27 +44,44 @@ std::optional<Bands> bands_of(const std::string& text) {
   return Bands::uniform(static_cast<int>(*n));
 }
 
+constexpr std::string_view kAuto = "auto";
+
+// "auto", or "auto:0.3" for another colour difference and luminances in proportion.
+std::optional<BandAccuracy> automatic(std::string_view text) {
+  constexpr double kFinest = 0.01, kCoarsest = 10.0;
+  if (!text.starts_with(kAuto)) return std::nullopt;
+  text.remove_prefix(kAuto.size());
+  if (text.empty()) return BandAccuracy{};
+  if (text.front() != ':') return std::nullopt;
+  const auto delta_e = number(text.substr(1));
+  if (!delta_e || !(*delta_e >= kFinest && *delta_e <= kCoarsest)) return std::nullopt;
+  const BandAccuracy usual;
+  return BandAccuracy{*delta_e, usual.luminance * *delta_e / usual.delta_e_2000};
+}
+
 }  // namespace
 
 void add_bands_option(CLI::App& app, std::string& text) {
   const auto check = [](const std::string& value) -> std::string {
-    if (value == "auto" || bands_of(value)) return {};
+    if (automatic(value) || bands_of(value)) return {};
     return fmt::format(
-        "'{}' is not auto, a number of bands within 1..{}, or ascending edges from {} to {} nm", value,
-        kMostBands, kVisibleLow_nm, kVisibleHigh_nm);
+        "'{}' is not auto, auto:DE00 within 0.01..10, a number of bands within 1..{}, or ascending edges "
+        "from {} to {} nm",
+        value, kMostBands, kVisibleLow_nm, kVisibleHigh_nm);
   };
   app.add_option(
          "--bands", text,
          "Wavebands over 380-780 nm: a number of equal ones, their edges 380,480,...,780, or auto: the "
-         "fewest that keep colours within dE00 0.5 and luminances within 0.2 %")
+         "fewest that keep colours within dE00 0.5 (auto:DE00 for another) and luminances within 0.2 %")
       ->check(CLI::Validator(check, ""))
       ->type_name("auto|N|EDGES")
       ->group("Accuracy");
 }
 
 Bands chosen_bands(Program& program, const std::string& text, const Zone& zone, const Lights& lights) {
-  if (text != "auto") return *bands_of(text);
-  const BandChoice choice = auto_bands(zone, lights);
+  const auto accuracy = automatic(text);
+  if (!accuracy) return *bands_of(text);
+  const BandChoice choice = auto_bands(zone, lights, *accuracy);
   program.say(fmt::format("{} waveband{}: colours within dE00 {:.2f}, luminances within {:.2f} %",
                           choice.bands.size(), choice.bands.size() == 1 ? "" : "s", choice.delta_e_2000,
                           100.0 * choice.luminance));

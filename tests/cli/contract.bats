@@ -6,7 +6,8 @@ setup() { load common; enter_copy; }
 
 @test "every program and command has help with an example and the exit status" {
   for command in dimdis "dimdis check" "dimdis areas" "dimdis viewfactors" "dimdis draw" dimray dimout \
-    "dimout info" "dimout surfaces" "dimout cells" "dimout grid" "dimout colour" "dimout image"; do
+    "dimout info" "dimout surfaces" "dimout cells" "dimout grid" "dimout colour" "dimout image" dimdbm "dimdbm list" \
+    "dimdbm show" "dimdbm plot" "dimdbm add" "dimdbm remove" "dimdbm check" "dimdbm export"; do
     run --separate-stderr $command --help
     echo "$command: $output $stderr"
     [ "$status" -eq 0 ]
@@ -18,7 +19,7 @@ setup() { load common; enter_copy; }
 }
 
 @test "every program and command says its version and file formats" {
-  for command in dimdis dimray dimout "dimdis areas" "dimout grid"; do
+  for command in dimdis dimray dimout dimdbm "dimdis areas" "dimout grid" "dimdbm add"; do
     run --separate-stderr $command --version
     [ "$status" -eq 0 ]
     [[ "$output" == "${command%% *} "[0-9]*"file formats:"* ]]
@@ -133,6 +134,8 @@ near() { awk -v a="$1" -v b="$2" 'BEGIN { d = a - b; if (d < 0) d = -d; exit !(d
   cmp auto.lum one.lum
   dimdis room.zone.toml -q --patches 64 --set 'finishes.dark={diffuse=[[380,0.05],[580,0.06],[620,0.6],[780,0.7]]}' -o red.rays
   dimray red.rays room.lights.toml -q -o red.lum --bands auto --stats s.json || [ $? -eq 1 ]
+  dimray red.rays room.lights.toml -q -o coarse.lum --bands auto:2 || [ $? -eq 1 ]
+  [ "$(dimout info coarse.lum --json | jq '.bands_nm | length')" -lt "$(dimout info red.lum --json | jq '.bands_nm | length')" ]
   jq -e '.bands > 2 and .bands < 40 and .band_edges_nm[0] == 380 and .band_edges_nm[-1] == 780' s.json > /dev/null
 }
 
@@ -236,8 +239,8 @@ near() { awk -v a="$1" -v b="$2" 'BEGIN { d = a - b; if (d < 0) d = -d; exit !(d
   refused 2 "tolerance" dimray room.rays room.lights.toml -o x.lum --tolerance nan
   refused 2 "tolerance" dimray room.rays room.lights.toml -o x.lum --tolerance 0
   refused 2 "bands" dimray room.rays room.lights.toml -o x.lum --bands 0
-  for bands in -1 401 2.5 many 380,780,500 400,780 380,380,780 380,x,780 ,; do
-    refused 2 "auto, a number of bands within 1..400, or ascending edges from 380 to 780" dimray room.rays room.lights.toml -o x.lum --bands=$bands
+  for bands in -1 401 2.5 many 380,780,500 400,780 380,380,780 380,x,780 , auto: auto:0 auto:x automatic; do
+    refused 2 "auto, auto:DE00 within 0.01..10, a number of bands within 1..400, or ascending edges from 380 to 780" dimray room.rays room.lights.toml -o x.lum --bands=$bands
   done
   refused 2 "threads" dimray room.rays room.lights.toml -o x.lum --threads -1
   refused 2 "db" dimray room.rays room.lights.toml -o x.lum --db nowhere

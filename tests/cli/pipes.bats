@@ -54,7 +54,8 @@ fast="--patches 8x16 --point-patches 16x32 --quiet"
 @test "a fitting by path is looked for beside the lights file, in any folder" {
   mkdir -p "a b/dé"
   cp "$DIM_SOURCE/db/fittings/troffer-3600.ies" "a b/dé/trôffer 1.ies"
-  sed 's|"troffer-3600"|"dé/trôffer 1.ies"|' room.lights.toml > "a b/l.toml"
+  # The entry names a spectrum, which the file cannot.
+  sed 's|"troffer-3600"|"dé/trôffer 1.ies"\nspectrum = "led-4000"|' room.lights.toml > "a b/l.toml"
   dimray room.rays "a b/l.toml" -q -o p.lum
   diff <(dimout grid room.lum) <(dimout grid p.lum)
 }

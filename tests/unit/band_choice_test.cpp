@@ -173,13 +173,14 @@ TEST_CASE("ColorChecker patches under D65 and A lie within dE00 0.1 of sums ever
   const auto patches = columns_of("colorchecker24_ohta_5nm.csv");
   if (patches.empty()) return;
   const auto lamps = spectra_named({"d65", "cie-a"});
-  const auto choice = choose_bands(lamps, patches, {.delta_e_2000 = 0.1, .luminance = 1e-3});
+  const auto choice = choose_bands(lamps, patches, {.delta_e_2000 = 0.3});
   const auto once = [](double r1, double) { return Walls{r1, r1}; };
   double worst = 0.0;
   for (const auto& lamp : lamps)
     for (const auto& patch : patches)
       worst = std::max(worst, errors(lamp, patch, patch, once, choice.bands).delta_e);
-  CAPTURE(choice.bands.size());
+  // 0.3 for all light, twice reflected included, in 45 bands; once reflected it is 0.09.
+  CHECK(choice.bands.size() <= 48);
   CHECK(worst <= 0.1);
 }
 

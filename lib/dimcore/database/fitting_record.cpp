@@ -13,7 +13,8 @@ FittingRecord read_fitting_record(const std::string& entry_path, const std::stri
   FittingRecord record;
   record.entry = read_fitting_entry(read_text_file(entry_path, kMaxTomlBytes), entry_path, name, names);
   if (!is_photometric_name(record.entry.file))
-    throw InputError({record.entry.file_place, "'" + record.entry.file + "' is not an .ies or .ldt file", ""});
+    throw InputError(
+        {record.entry.file_place, "'" + record.entry.file + "' is not an .ies or .ldt file", ""});
   try {
     record.photometry = read_photometric_file(record.entry.file, warnings);
   } catch (const IoError& error) {

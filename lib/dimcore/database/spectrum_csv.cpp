@@ -58,7 +58,8 @@ class CsvReader {
   void read() {
     while (!scanner_.at_end()) {
       const std::string_view line = trimmed(scanner_.take_line());
-      if (line.find('\0') != std::string_view::npos) refuse("a zero byte: not a text file", "give a CSV file");
+      if (line.find('\0') != std::string_view::npos)
+        refuse("a zero byte: not a text file", "give a CSV file");
       if (line.empty() || line.front() == '#') continue;
       if (separator_ == 0) separator_ = separator_of(line);
       const auto cells = cells_of(line, separator_);
@@ -69,7 +70,8 @@ class CsvReader {
       take_row(cells);
     }
     if (rows_.size() < 2)
-      throw InputError({scanner_.end_place(), fmt::format("{} wavelengths: a spectrum needs two", rows_.size()),
+      throw InputError({scanner_.end_place(),
+                        fmt::format("{} wavelengths: a spectrum needs two", rows_.size()),
                         "columns: wavelength, value"});
     if (rows_.front().values.front() > rows_.back().values.front()) std::reverse(rows_.begin(), rows_.end());
   }
@@ -83,7 +85,8 @@ class CsvReader {
   }
   std::vector<std::string> column_names() const {
     std::vector<std::string> names(rows_.front().values.size() - 1);
-    for (std::size_t i = 0; i < names.size() && i + 1 < header_.size(); ++i) names[i] = to_utf8(header_[i + 1]);
+    for (std::size_t i = 0; i < names.size() && i + 1 < header_.size(); ++i)
+      names[i] = to_utf8(header_[i + 1]);
     return names;
   }
 
@@ -98,7 +101,8 @@ class CsvReader {
     CsvRow row{scanner_.place().line, {}};
     for (const auto& cell : cells) {
       double value = 0.0;
-      if (!parse_cell(cell, separator_, value)) refuse(fmt::format("{} is not a finite number", quoted(cell)), "");
+      if (!parse_cell(cell, separator_, value))
+        refuse(fmt::format("{} is not a finite number", quoted(cell)), "");
       row.values.push_back(value);
     }
     if (row.values.size() < 2 || row.values.size() > kMaxColumns)
@@ -143,16 +147,17 @@ bool in_percent(const CsvReader& csv, ValueUnit unit, const std::string& file) {
     for (std::size_t i = 1; i < row.values.size(); ++i)
       if (row.values[i] > most) most = row.values[i], highest = &row;
   if (most > 1.0 && most <= 1.5)
-    throw InputError({{file, highest->line, 1},
-                      fmt::format("largest value {}: a fraction above 1, or a very dark finish in per cent?", most),
-                      "say which with --values fraction or --values percent"});
+    throw InputError(
+        {{file, highest->line, 1},
+         fmt::format("largest value {}: a fraction above 1, or a very dark finish in per cent?", most),
+         "say which with --values fraction or --values percent"});
   return most > 1.5;
 }
 
 }  // namespace
 
-SpectrumTable read_spectrum_csv(std::string_view text, const std::string& file_name, WavelengthUnit wavelengths,
-                                ValueUnit values) {
+SpectrumTable read_spectrum_csv(std::string_view text, const std::string& file_name,
+                                WavelengthUnit wavelengths, ValueUnit values) {
   CsvReader csv(photometric_text(text, file_name), file_name);
   csv.read();
   SpectrumTable table;
@@ -167,13 +172,15 @@ SpectrumTable read_spectrum_csv(std::string_view text, const std::string& file_n
     if (!(nm >= 1.0 && nm <= 1e5))
       throw InputError({place, fmt::format("wavelength {} nm is outside 1..100000", nm), ""});
     if (nm <= last_nm)
-      throw InputError({place, fmt::format("wavelengths are not in order: {} nm beside {} nm", nm, last_nm), ""});
+      throw InputError(
+          {place, fmt::format("wavelengths are not in order: {} nm beside {} nm", nm, last_nm), ""});
     last_nm = nm;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const double value = row.values[i + 1] * (table.percent ? 0.01 : 1.0);
       if (!(value >= 0.0 && value <= 1.0))
-        throw InputError({place, fmt::format("value {} is outside 0..{}", row.values[i + 1], table.percent ? 100 : 1),
-                          "a passive surface cannot reflect more than it receives"});
+        throw InputError(
+            {place, fmt::format("value {} is outside 0..{}", row.values[i + 1], table.percent ? 100 : 1),
+             "a passive surface cannot reflect more than it receives"});
       points[i].emplace_back(nm, value);
     }
   }

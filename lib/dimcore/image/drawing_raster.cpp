@@ -65,7 +65,8 @@ class Coverage {
   int clamp_x(double x) const { return static_cast<int>(std::clamp(x, 0.0, width_ - 1.0)); }
   int clamp_y(double y) const { return static_cast<int>(std::clamp(y, 0.0, height_ - 1.0)); }
   float& at(int x, int y) {
-    return share_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
+    return share_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                  static_cast<std::size_t>(x)];
   }
   void add_span(int y, double from, double to) {
     const double low = std::max(0.0, from), high = std::min<double>(width_, to);
@@ -105,9 +106,11 @@ std::vector<std::pair<Vec2, Vec2>> pieces(const DrawnLine& line) {
 
 void draw_text(Picture8& picture, const DrawnText& text, const TextDrawer& drawer) {
   const int width = drawer.measure(text.utf8, text.size_px).width;
-  const int shift = text.anchor == TextAnchor::start ? 0 : text.anchor == TextAnchor::middle ? width / 2 : width;
-  drawer.draw(picture, static_cast<int>(std::lround(text.at.x)) - shift, static_cast<int>(std::lround(text.at.y)),
-              text.utf8, text.size_px, text.colour);
+  const int shift = text.anchor == TextAnchor::start    ? 0
+                    : text.anchor == TextAnchor::middle ? width / 2
+                                                        : width;
+  drawer.draw(picture, static_cast<int>(std::lround(text.at.x)) - shift,
+              static_cast<int>(std::lround(text.at.y)), text.utf8, text.size_px, text.colour);
 }
 
 }  // namespace

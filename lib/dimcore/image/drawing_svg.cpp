@@ -24,7 +24,9 @@ std::string xml_text(const std::string& text) {
   return result;
 }
 
-std::string hex(const Rgb8& colour) { return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]); }
+std::string hex(const Rgb8& colour) {
+  return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);
+}
 
 void append_points(std::string& svg, const std::vector<Vec2>& points) {
   const char* separator = "";
@@ -53,18 +55,20 @@ std::string svg_text(const Drawing& drawing) {
     svg += "\"/>\n";
   }
   for (const auto& line : drawing.lines) {
-    fmt::format_to(out, "<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2f}\" stroke-linejoin=\"round\"{} points=\"",
-                   hex(line.colour), line.width_px,
-                   line.dashed ? fmt::format(" stroke-dasharray=\"{0:.2f} {0:.2f}\"", 4.0 * line.width_px) : "");
+    fmt::format_to(
+        out,
+        "<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2f}\" stroke-linejoin=\"round\"{} points=\"",
+        hex(line.colour), line.width_px,
+        line.dashed ? fmt::format(" stroke-dasharray=\"{0:.2f} {0:.2f}\"", 4.0 * line.width_px) : "");
     append_points(svg, line.points);
     svg += "\"/>\n";
   }
   for (const auto& text : drawing.texts)
-    fmt::format_to(out,
-                   "<text x=\"{:.2f}\" y=\"{:.2f}\" font-family=\"sans-serif\" font-size=\"{}\" text-anchor=\"{}\" "
-                   "fill=\"{}\">{}</text>\n",
-                   text.at.x, text.at.y, text.size_px, anchor_name(text.anchor), hex(text.colour),
-                   xml_text(text.utf8));
+    fmt::format_to(
+        out,
+        "<text x=\"{:.2f}\" y=\"{:.2f}\" font-family=\"sans-serif\" font-size=\"{}\" text-anchor=\"{}\" "
+        "fill=\"{}\">{}</text>\n",
+        text.at.x, text.at.y, text.size_px, anchor_name(text.anchor), hex(text.colour), xml_text(text.utf8));
   return svg + "</svg>\n";
 }
 

@@ -22,7 +22,8 @@ Drawing spectrum_diagram(const std::vector<NamedCurve>& curves, Rgb8 colour, con
   drawing.height = height_px;
   drawing.title = title;
   const int font = std::max(10, height_px / 32);
-  const double left = 3.5 * font, right = width_px - 8.0 * font, top = 2.5 * font, bottom = height_px - 3.0 * font;
+  const double left = 3.5 * font, right = width_px - 8.0 * font, top = 2.5 * font,
+               bottom = height_px - 3.0 * font;
   const auto x_of = [&](double nm) {
     return left + (right - left) * (nm - kVisibleLow_nm) / (kVisibleHigh_nm - kVisibleLow_nm);
   };
@@ -44,8 +45,8 @@ Drawing spectrum_diagram(const std::vector<NamedCurve>& curves, Rgb8 colour, con
   word(0.6 * font, 1.4 * font, title, TextAnchor::start, kWords);
 
   const double field = right + 1.5 * font, field_end = width_px - 1.0 * font;
-  drawing.areas.push_back({{{field, top}, {field_end, top}, {field_end, top + 6.0 * font}, {field, top + 6.0 * font}},
-                           colour});
+  drawing.areas.push_back(
+      {{{field, top}, {field_end, top}, {field_end, top + 6.0 * font}, {field, top + 6.0 * font}}, colour});
   double legend = top + 8.0 * font;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const Rgb8 ink = kInk[i % std::size(kInk)];

@@ -99,6 +99,7 @@ Json description(const Lights& lights, const Solution& solution) {
                                   {"opening_shape", static_cast<int>(l.opening.shape)},
                                   {"opening_m", {l.opening.length_m, l.opening.width_m, l.opening.height_m}},
                                   {"photometry", l.fitting},
+                                  {"body", l.body},
                                   {"factor", l.factor}});
   return json;
 }
@@ -116,8 +117,65 @@ ShownLuminaire luminaire_from_json(const Json& l, std::size_t n_sources, std::si
   shown.opening = {static_cast<OpeningShape>(shape), size.at(0), size.at(1), size.at(2)};
   shown.photometry = l.at("photometry");
   shown.factor = l.at("factor");
+  shown.body = l.at("body");
   if (shown.source >= n_sources || shown.photometry >= n_photometry) throw std::out_of_range("luminaire");
   return shown;
+}
+
+// Intensities on a grid fine enough for any photometric file: C every 5, gamma every degree.
+constexpr std::size_t kCPlanes = 73;
+
+IntensityDistribution on_grid() {
+  IntensityDistribution grid;
+  for (std::size_t c = 0; c < kCPlanes; ++c)
+    grid.c_rad.push_back(2.0 * kPi * static_cast<double>(c) / (kCPlanes - 1));
+  for (std::size_t g = 0; g <= kGammaSteps; ++g)
+    grid.gamma_rad.push_back(kPi * static_cast<double>(g) / kGammaSteps);
+  return grid;
+}
+
+void store_intensities(Hdf5Writer& file, const Lights& lights) {
+  std::vector<float> cd;
+  const auto grid = on_grid();
+  for (const auto& fitting : lights.fittings) {
+    for (const double c : grid.c_rad) {
+      for (const double gamma : grid.gamma_rad)
+        cd.push_back(static_cast<float>(fitting.intensity.at_c_gamma(c, gamma)));
+    }
+  }
+  file.dataset<float>("/photometry/intensity", cd, {lights.fittings.size(), kCPlanes, kGammaSteps + 1}, "cd",
+                      "by photometry, C in steps of 5 degrees, gamma in steps of 1 degree, before factors");
+}
+
+std::vector<IntensityTable> load_intensities(const Hdf5Reader& file, std::size_t n) {
+  const auto values = file.dataset<float>("/photometry/intensity", {n, kCPlanes, kGammaSteps + 1});
+  std::vector<IntensityTable> tables;
+  constexpr std::size_t kEach = kCPlanes * (kGammaSteps + 1);
+  for (std::size_t i = 0; i < n; ++i) {
+    auto distribution = on_grid();
+    for (std::size_t k = 0; k < kEach; ++k) {
+      const double cd = static_cast<double>(values[i * kEach + k]);
+      if (!(cd >= 0.0)) throw std::out_of_range("intensity");
+      distribution.intensity_cd.push_back(cd);
+    }
+    tables.emplace_back(distribution);
+  }
+  return tables;
+}
+
+void store_directional(Hdf5Writer& file, const Solution& solution) {
+  const auto& directional = solution.directional;
+  if (directional.cells.empty()) return;
+  const Shape shape{solution.sources.size(), solution.bands.size(), directional.cells.size(),
+                    directional.grid.n_patches()};
+  file.dataset<std::uint32_t>("/directional/cells", directional.cells, {directional.cells.size()}, "1",
+                              "off-specular cells");
+  file.dataset<float>("/directional/direct", directional.direct, shape, "W/(m2 sr)",
+                      "radiance by the lobe, of direct light alone, by source, band, cell and patch");
+  file.dataset<float>("/directional/total", directional.total, shape, "W/(m2 sr)",
+                      "radiance by the lobe, by source, band, cell and patch");
+  file.attribute("/directional", "slices", directional.grid.n_slices);
+  file.attribute("/directional", "sectors", directional.grid.n_sectors);
 }
 
 }  // namespace
@@ -140,6 +198,8 @@ std::string save_lum(const std::string& path, const Zone& zone, const Cells& cel
   store("/cells/total", solution.cell_total, solution.n_cells);
   store("/points/direct", solution.point_direct, solution.n_points);
   store("/points/total", solution.point_total, solution.n_points);
+  store_intensities(file, lights);
+  store_directional(file, solution);
   return std::move(file).write(path, job);
 }
 
@@ -157,6 +217,8 @@ LuminanceDatabase::LuminanceDatabase(const std::string& path, const Job& job)
       photometry_.push_back(p.at("mean_intensity_cd").get<std::vector<double>>());
       if (photometry_.back().size() != kGammaSteps + 1) throw std::out_of_range("photometry");
     }
+    intensities_ = load_intensities(file_, photometry_.size());
+    load_directional();
     for (const auto& l : json.at("luminaires"))
       luminaires_.push_back(luminaire_from_json(l, sources_.size(), photometry_.size()));
   } catch (const nlohmann::json::exception&) {
@@ -173,6 +235,39 @@ std::vector<float> LuminanceDatabase::of_source(const std::string& dataset, std:
   std::vector<float> values(bands_.size() * n);
   file_.read_rows(dataset, source, 1, std::span(values));
   return values;
+}
+
+void LuminanceDatabase::load_directional() {
+  if (!file_.has("/directional/cells")) return;
+  directional_grid_ = {static_cast<int>(file_.integer_attribute("/directional", "slices")),
+                       static_cast<int>(file_.integer_attribute("/directional", "sectors"))};
+  off_specular_ = file_.dataset<std::uint32_t>("/directional/cells", {kAnySize});
+  for (std::size_t i = 0; i < off_specular_.size(); ++i) {
+    if (off_specular_[i] >= n_cells_ || (i > 0 && off_specular_[i] <= off_specular_[i - 1]))
+      throw std::out_of_range("directional");
+  }
+  const bool fits = directional_grid_.n_slices > 0 && directional_grid_.n_sectors > 0;
+  const Shape shape{sources_.size(), bands_.size(), off_specular_.size(), directional_grid_.n_patches()};
+  if (!fits || file_.shape("/directional/total") != shape || file_.shape("/directional/direct") != shape)
+    throw std::out_of_range("directional");
+}
+
+std::vector<float> LuminanceDatabase::directional(const std::string& dataset, std::size_t source) const {
+  std::vector<float> values(bands_.size() * off_specular_.size() * directional_grid_.n_patches());
+  file_.read_rows(dataset, source, 1, std::span(values));
+  return values;
+}
+
+std::vector<float> LuminanceDatabase::lobe_radiance(std::size_t source) const {
+  return directional("/directional/total", source);
+}
+
+std::vector<float> LuminanceDatabase::direct_lobe_radiance(std::size_t source) const {
+  return directional("/directional/direct", source);
+}
+
+std::vector<float> LuminanceDatabase::direct_cell_irradiance(std::size_t source) const {
+  return of_source("/cells/direct", source, n_cells_);
 }
 
 std::vector<float> LuminanceDatabase::cell_irradiance(std::size_t source) const {

@@ -38,7 +38,7 @@ LightColour LightColours::figures(const LightResponses& light) const {
   colour.xy = xy_of(light.xyz);
   colour.uv = uv_1976_of(light.xyz);
   colour.white = white_point(light.xyz);
-  colour.ra = has_spectra_ ? colour_rendering(light).ra : kNaN;
+  colour.ra = has_spectra_ ? colour_rendering(light, colour.white.cct_K).ra : kNaN;
   colour.melanopic_edi_lx = has_spectra_ ? melanopic_edi_lx(light.melanopic) : kNaN;
   return colour;
 }

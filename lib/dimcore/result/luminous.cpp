@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "reflection/specular.hpp"
+
 namespace dim {
 namespace {
 
@@ -63,6 +65,32 @@ std::vector<double> cell_illuminance_lx(const LuminanceDatabase& database, const
   return illuminance_lx(database, mix, database.n_cells(), &LuminanceDatabase::cell_irradiance);
 }
 
+namespace {
+
+// Lobes as seen on the mean of all directions: their exitance over pi.
+void add_lobes(const LuminanceDatabase& database, std::size_t source, double factor,
+               CellAppearance& appearance) {
+  const auto& cells = database.off_specular_cells();
+  if (cells.empty()) return;
+  const auto radiance = database.lobe_radiance(source);
+  const auto& weights = database.sources()[source].weights;
+  const PatchGrid& grid = database.directional_grid();
+  const std::size_t n_patches = grid.n_patches();
+  for (std::size_t b = 0; b < database.bands().size(); ++b) {
+    const Vec3 response = factor * kMaxEfficacy_lm_W * Vec3(weights.x[b], weights.y[b], weights.z[b]);
+    for (std::size_t g = 0; g < cells.size(); ++g) {
+      const float* of_patch = &radiance[(b * cells.size() + g) * n_patches];
+      double exitance = 0.0;
+      for (std::size_t p = 0; p < n_patches; ++p)
+        exitance += static_cast<double>(of_patch[p]) *
+                    grid.weight_sr(static_cast<int>(p / static_cast<std::size_t>(grid.n_sectors)));
+      appearance.xyz_cd_m2[cells[g]] += response * (exitance / kPi);
+    }
+  }
+}
+
+}  // namespace
+
 CellAppearance cell_appearance(const LuminanceDatabase& database, const Cells& cells, const Mix& mix) {
   const Zone& zone = database.zone();
   const Bands& bands = database.bands();
@@ -75,7 +103,7 @@ CellAppearance cell_appearance(const LuminanceDatabase& database, const Cells& c
     for (std::size_t b = 0; b < bands.size(); ++b) {
       std::vector<double> reflectance;
       for (const auto& finish : zone.finishes)
-        reflectance.push_back(finish.diffuse.mean(bands.low_nm(b), bands.high_nm(b)));
+        reflectance.push_back(band_reflection(finish, bands.low_nm(b), bands.high_nm(b)).diffuse);
       const Vec3 response = mix[s] * kMaxEfficacy_lm_W * Vec3(weights.x[b], weights.y[b], weights.z[b]);
       for (std::size_t i = 0; i < n; ++i) {
         const double e = static_cast<double>(irradiance[b * n + i]);
@@ -84,6 +112,7 @@ CellAppearance cell_appearance(const LuminanceDatabase& database, const Cells& c
         appearance.xyz_cd_m2[i] += response * (reflectance[finish] * e / kPi);
       }
     }
+    add_lobes(database, s, mix[s], appearance);
   }
   return appearance;
 }

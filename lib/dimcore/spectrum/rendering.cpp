@@ -61,8 +61,11 @@ LightResponses light_responses(const SpectralCurve& spd) {
 }
 
 ColourRendering colour_rendering(const LightResponses& light) {
+  return colour_rendering(light, white_point(light.xyz).cct_K);
+}
+
+ColourRendering colour_rendering(const LightResponses& light, double cct_K) {
   ColourRendering result;
-  const double cct_K = white_point(light.xyz).cct_K;
   if (!(cct_K <= kHottestDaylight_K)) {
     result.ra = std::numeric_limits<double>::quiet_NaN();
     result.r.fill(result.ra);

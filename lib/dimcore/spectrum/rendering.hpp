@@ -34,6 +34,8 @@ struct ColourRendering {
 /// CIE daylight. CIE 13.3 calls figures of lights with |duv| > 0.0054 less meaningful; they are given all the
 /// same.
 ColourRendering colour_rendering(const LightResponses& light);
+/// The same where the light's temperature is known already.
+ColourRendering colour_rendering(const LightResponses& light, double cct_K);
 
 /// Melanopic irradiance of 1 lx of D65, W/lm: 1.3262e-3 (CIE S 026).
 double melanopic_efficacy_of_daylight_W_lm();

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "spectrum/colour.hpp"
 #include "spectrum/lattice.hpp"
@@ -17,19 +18,35 @@ constexpr double kLocusStep = 1.01;  // between neighbouring temperatures of the
 constexpr std::size_t kLocusSize = 465;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-// exp(-c2/(lambda T)) over the same at the reference, so that nothing overflows however cold.
+// Planck's law but for its constant: from 1000 K on its exponent stays below 40.
 double planck(double nm, double temperature_K) {
-  const double x = kSecondRadiationConstant_m_K / (nm * 1e-9 * temperature_K);
-  const double x0 = kSecondRadiationConstant_m_K / (kReference_nm * 1e-9 * temperature_K);
-  return std::pow(kReference_nm / nm, 5) * std::exp(x0 - x) * std::expm1(-x0) / std::expm1(-x);
+  const double m = nm * 1e-9;
+  return std::pow(kReference_nm / nm, 5) / std::expm1(kSecondRadiationConstant_m_K / (m * temperature_K));
+}
+
+// The 1931 observer divided by the fifth power of each wavelength: what Planck's law is summed with.
+struct LocusTerm {
+  double c2_over_m_K;
+  Vec3 xyz;
+};
+
+const std::vector<LocusTerm>& locus_terms() {
+  static const std::vector<LocusTerm> terms = [] {
+    std::vector<LocusTerm> all;
+    const auto add = [&](double nm, const Vec3& xyz) {
+      all.push_back({kSecondRadiationConstant_m_K / (nm * 1e-9), xyz * std::pow(kReference_nm / nm, 5)});
+    };
+    const ObserverTables& eye = cie_1931_tables();
+    for (std::size_t i = 0; i < kTableSize; ++i) add(lattice_nm(i), {eye.x[i], eye.y[i], eye.z[i]});
+    for (const auto& [nm, x, y, z] : cie_1931_outer()) add(nm, {x, y, z});
+    return all;
+  }();
+  return terms;
 }
 
 Vec2 locus_uv(double temperature_K) {
-  const ObserverTables& eye = cie_1931_tables();
   Vec3 xyz(0.0);
-  for (std::size_t i = 0; i < kTableSize; ++i)
-    xyz += planck(lattice_nm(i), temperature_K) * Vec3(eye.x[i], eye.y[i], eye.z[i]);
-  for (const auto& [nm, x, y, z] : cie_1931_outer()) xyz += planck(nm, temperature_K) * Vec3(x, y, z);
+  for (const auto& term : locus_terms()) xyz += term.xyz / std::expm1(term.c2_over_m_K / temperature_K);
   return uv_1960_of(xyz);
 }
 
@@ -66,9 +83,10 @@ double nearest_temperature_K(const Vec2& uv, double low_K, double high_K) {
 }  // namespace
 
 SpectralCurve blackbody(double temperature_K) {
+  const double reference = planck(kReference_nm, temperature_K);
   std::vector<std::pair<double, double>> points;
   for (std::size_t i = 0; i < kTableSize; ++i)
-    points.emplace_back(lattice_nm(i), planck(lattice_nm(i), temperature_K));
+    points.emplace_back(lattice_nm(i), planck(lattice_nm(i), temperature_K) / reference);
   return SpectralCurve(std::move(points));
 }
 

@@ -16,7 +16,7 @@ inline constexpr double kCoolestDaylight_K = 4000.0;
 inline constexpr double kHottestDaylight_K = 25000.0;
 
 /// Planck's law, 1 at 560 nm, every 5 nm.
-/// @param temperature_K  > 0
+/// @param temperature_K  at least 1000
 SpectralCurve blackbody(double temperature_K);
 
 /// CIE daylight of a correlated colour temperature (CIE 15: chromaticity of the locus, S0 + M1 S1 + M2 S2;

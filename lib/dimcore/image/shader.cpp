@@ -1,0 +1,217 @@
+#include "image/shader.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dim {
+namespace {
+
+constexpr int kRoundCorners = 48;
+constexpr int kMostMirrors = 16;      // that a line of sight goes on at
+constexpr int kImageDepth = 3;        // mirrors that luminaires are imaged in for direct light point by point
+constexpr int kShadowRays = 64;       // from each luminaire to a pixel, over all its samples
+constexpr int kHighlightPaths = 144;  // the same for lobes
+
+// Outline of a luminous opening in space, empty where it has no area.
+Ring3 outline(const ShownLuminaire& luminaire) {
+  const auto at = [&](double x, double y) { return luminaire.at + x * luminaire.c0 + y * luminaire.c90; };
+  const double a = luminaire.opening.length_m / 2.0, b = luminaire.opening.width_m / 2.0;
+  if (!(area_m2(luminaire.opening) > 0.0) || !(a > 0.0) || !(b > 0.0)) return {};
+  const auto shape = luminaire.opening.shape;
+  if (shape == OpeningShape::kEllipse || shape == OpeningShape::kVerticalCylinder ||
+      shape == OpeningShape::kEllipsoid) {
+    // Corners a little outside, so that the area, and with it the light shown, is that of the round shape.
+    const double turn = 2.0 * kPi / kRoundCorners, swell = std::sqrt(turn / std::sin(turn));
+    Ring3 ring;
+    for (int i = 0; i < kRoundCorners; ++i)
+      ring.push_back(at(swell * a * std::cos(i * turn), swell * b * std::sin(i * turn)));
+    return ring;
+  }
+  return {at(-a, -b), at(a, -b), at(a, b), at(-a, b)};
+}
+
+Lights lights_of(const LuminanceDatabase& database) {
+  Lights lights;
+  for (const auto& intensity : database.intensities()) {
+    lights.fittings.push_back(
+        {.name = "", .intensity = intensity, .opening = {}, .flux_lm = intensity.flux_lm()});
+  }
+  for (const auto& shown : database.luminaires()) {
+    Luminaire luminaire;
+    luminaire.name = shown.name;
+    luminaire.fitting = static_cast<int>(shown.photometry);
+    luminaire.at = shown.at;
+    luminaire.c0 = shown.c0;
+    luminaire.c90 = shown.c90;
+    luminaire.aim = shown.aim;
+    luminaire.factor = shown.factor;
+    luminaire.opening = shown.opening;
+    luminaire.body = shown.body;
+    lights.luminaires.push_back(std::move(luminaire));
+  }
+  return lights;
+}
+
+}  // namespace
+
+Shader::Shader(const LuminanceDatabase& database, const Cells& cells, const Mix& mix, Shading shading,
+               int n_samples)
+    : database_(database),
+      zone_(database.zone()),
+      shading_(shading),
+      n_samples_(n_samples),
+      channels_(database, mix),
+      field_(database, cells, mix, channels_, shading != Shading::cell, shading == Shading::gather),
+      mirror_(zone_.finishes.size(), false) {
+  const auto& bands = database.bands();
+  for (const auto& finish : zone_.finishes) {
+    reflection_.emplace_back();
+    for (std::size_t b = 0; b < bands.size(); ++b)
+      reflection_.back().push_back(band_reflection(finish, bands.low_nm(b), bands.high_nm(b)));
+    mirror_[reflection_.size() - 1] = finish.specular > 0.0;
+  }
+  facets_.resize(zone_.finishes.size());
+  for (const auto cell : database.off_specular_cells()) {
+    const auto finish = static_cast<std::size_t>(zone_.surfaces[cells.surface_of(cell)].finish);
+    mirror_[finish] = false;
+    if (!facets_[finish])
+      facets_[finish] = std::make_unique<Facets>(facet_distribution(zone_.finishes[finish]),
+                                                 zone_.finishes[finish].roughness);
+  }
+  for (const auto& luminaire : database.luminaires()) {
+    const Ring3 ring = outline(luminaire);
+    if (!ring.empty()) openings_.push_back({&luminaire, Polygon(ring)});
+  }
+  auto plates = plates_of(zone_);
+  for (const auto& opening : openings_) plates.push_back({&opening.polygon});
+  caster_ = std::make_unique<RayCaster>(std::move(plates), zone_.diameter_m);
+  make_lamps(mix);
+}
+
+void Shader::make_lamps(const Mix& mix) {
+  lights_ = lights_of(database_);
+  obstructions_ = std::make_unique<Obstructions>(zone_, lights_);
+  std::vector<int> mirrors;
+  for (std::size_t s = 0; s < zone_.surfaces.size(); ++s) {
+    if (!zone_.surfaces[s].outside && mirror_[static_cast<std::size_t>(zone_.surfaces[s].finish)])
+      mirrors.push_back(static_cast<int>(s));
+  }
+  for (auto& emitter : make_emitters(zone_, lights_, mirrors, kImageDepth)) {
+    if (mix[database_.luminaires()[emitter.original].source] > 0.0) emitters_.push_back(std::move(emitter));
+  }
+  for (const auto& luminaire : database_.luminaires())
+    factor_.push_back(mix[luminaire.source] * luminaire.factor);
+  for (const auto& emitter : emitters_)
+    integrators_.emplace_back(zone_, obstructions_->caster(), emitter, 0.0,
+                              std::max(4, kShadowRays / n_samples_), integrators_.size());
+}
+
+// An opening shows the luminance that its intensity gives in that direction.
+void Shader::add_opening(std::size_t index, const Vec3& direction, const Light& tint, Light& light) const {
+  const auto& luminaire = *openings_[index].luminaire;
+  const double factor = factor_[static_cast<std::size_t>(&luminaire - database_.luminaires().data())];
+  const Vec3 out = -direction;
+  const double cosine = glm::dot(out, luminaire.aim);
+  const double cd = database_.intensities()[luminaire.photometry].at(
+      {glm::dot(out, luminaire.c0), glm::dot(out, luminaire.c90), cosine});
+  // Towards grazing both intensity and projected area vanish; their quotient is not to.
+  const double cd_m2 = factor * cd / (area_m2(luminaire.opening) * std::max(std::abs(cosine), 0.02));
+  const std::size_t first = channels_.first_of(luminaire.source);
+  for (std::size_t c = first; c < first + channels_.n_bands(); ++c)
+    light[c] += tint[c] * cd_m2 * channels_.watts_per_lumen(c);
+}
+
+void Shader::add_direct(std::size_t surface, const Vec2& local, std::uint64_t chance, const Vec3* towards,
+                        Light& irradiance, Light& lobe) const {
+  const Polygon& polygon = zone_.surfaces[surface].polygon;
+  const auto finish = static_cast<std::size_t>(zone_.surfaces[surface].finish);
+  Frame frame = polygon.frame();
+  frame.origin = frame.to_world(local);
+  const Receiver receiver{&frame, nullptr, true, static_cast<int>(surface), chance, nullptr};
+  const Part point = whole_pair(Vec2(0.0), Vec2(0.0));
+  const int n_paths = std::max(1, kHighlightPaths / n_samples_);
+  for (std::size_t e = 0; e < emitters_.size(); ++e) {
+    const auto& emitter = emitters_[e];
+    const double factor = factor_[emitter.original];
+    const std::size_t first = channels_.first_of(database_.luminaires()[emitter.original].source);
+    Light tint(channels_.n_bands(), factor);
+    if (!emitter.mirrors.empty()) {
+      const auto cosines = mirror_cosines(zone_, emitter, frame.origin, emitter.luminaire.at);
+      for (std::size_t m = 0; m < cosines.size(); ++m) {
+        const auto mirror = static_cast<std::size_t>(emitter.mirrors[cosines.size() - 1 - m]);
+        const auto& bands = reflection_[static_cast<std::size_t>(zone_.surfaces[mirror].finish)];
+        for (std::size_t b = 0; b < tint.size(); ++b) tint[b] *= bands[b].fresnel(cosines[m]);
+      }
+    }
+    if (shading_ == Shading::gather) {
+      const double lx = integrators_[e].mean(receiver, point);
+      for (std::size_t b = 0; b < tint.size() && lx > 0.0; ++b)
+        irradiance[first + b] += lx * tint[b] * channels_.watts_per_lumen(first + b);
+    }
+    if (!towards) continue;
+    const LowDiscrepancy4 points(chance ^ mix(e));
+    for (int i = 0; i < n_paths; ++i) {
+      const auto path = integrators_[e].path(receiver, point, points(static_cast<std::uint64_t>(i)));
+      if (!(path.lx > 0.0)) continue;
+      const Vec3 in = frame.direction_to_local(path.towards);
+      for (std::size_t b = 0; b < tint.size(); ++b)
+        lobe[first + b] += path.lx / n_paths * tint[b] * channels_.watts_per_lumen(first + b) *
+                           specular_brdf(reflection_[finish][b], *facets_[finish], in, *towards);
+    }
+  }
+}
+
+void Shader::add_surface(std::size_t surface, const Vec2& local, const Vec3& direction, std::uint64_t chance,
+                         const Light& tint, Light& light, double& illuminance_lx) const {
+  const auto finish = static_cast<std::size_t>(zone_.surfaces[surface].finish);
+  Light irradiance(channels_.size(), 0.0), lobe(channels_.size(), 0.0);
+  field_.add_irradiance(surface, local, irradiance);
+  Vec3 towards = -zone_.surfaces[surface].polygon.frame().direction_to_local(direction);
+  towards.z = std::max(towards.z, 1e-6);
+  const bool glossy = facets_[finish] != nullptr;
+  if (glossy) field_.add_lobe(surface, local, towards, lobe);
+  if (glossy || shading_ == Shading::gather)
+    add_direct(surface, local, chance, glossy ? &towards : nullptr, irradiance, lobe);
+  for (std::size_t c = 0; c < channels_.size(); ++c) {
+    light[c] += tint[c] * (reflection_[finish][channels_.band(c)].diffuse * irradiance[c] / kPi + lobe[c]);
+    illuminance_lx += channels_.xyz(c).y * irradiance[c];
+  }
+}
+
+Shader::Seen Shader::seen(const Vec3& eye, const Vec3& direction, std::uint64_t chance, Light& light) const {
+  Seen seen;
+  Light tint(channels_.size(), 1.0);
+  Vec3 from = eye, along = direction;
+  int skip = -1;
+  for (int met = 0; met <= kMostMirrors; ++met) {
+    const Hit hit = caster_->nearest(from, along, skip);
+    if (hit.plate < 0) return seen;
+    const auto plate = static_cast<std::size_t>(hit.plate);
+    seen.anything = true;
+    if (plate >= zone_.surfaces.size()) {
+      add_opening(plate - zone_.surfaces.size(), along, tint, light);
+      return seen;
+    }
+    const Surface& surface = zone_.surfaces[plate];
+    if (hit.back || surface.outside) return seen;
+    double illuminance_lx = 0.0;
+    add_surface(plate, hit.local, along, chance ^ mix(static_cast<std::uint64_t>(met)), tint, light,
+                illuminance_lx);
+    if (met == 0) {
+      seen.surface = true;
+      seen.illuminance_lx = illuminance_lx;
+    }
+    const auto finish = static_cast<std::size_t>(surface.finish);
+    if (!mirror_[finish]) return seen;
+    const Vec3& n = surface.polygon.frame().n;
+    const double cosine = std::clamp(-glm::dot(along, n), 0.0, 1.0);
+    for (std::size_t c = 0; c < tint.size(); ++c)
+      tint[c] *= reflection_[finish][channels_.band(c)].fresnel(cosine);
+    from += hit.t * along;
+    along = glm::normalize(along + 2.0 * cosine * n);
+    skip = hit.plate;
+  }
+  return seen;
+}
+
+}  // namespace dim
