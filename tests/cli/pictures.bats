@@ -69,3 +69,19 @@ setup() { load common; enter_copy; }
     grep -qF "$line" header
   done
 }
+
+@test "a spectral OpenEXR file has a channel for each waveband of the database" {
+  command -v exrheader > /dev/null || skip "exrheader is not installed (Debian: openexr)"
+  dimray room.rays room.lights.toml -q --bands 380,480,585,780 -o three.lum
+  dimout image three.lum -q --samples 1 --spectral -o p.exr
+  exrheader p.exr > header
+  cat header
+  for line in '    S0.430,0nm, 32-bit floating-point' '    S0.532,5nm, 32-bit floating-point' \
+    '    S0.682,5nm, 32-bit floating-point' 'spectralLayoutVersion (type string): "1.0"' \
+    'emissiveUnits (type string): "W.m^-2.sr^-1.nm^-1"' 'bandEdges_nm (type string): "380 480 585 780"'; do
+    grep -qF "$line" header
+  done
+  [ "$(grep -c '^    S0\.' header)" -eq 3 ]
+  dimout image three.lum -q --samples 1 -o p.exr
+  ! exrheader p.exr | grep -q '^    S0\.'
+}
