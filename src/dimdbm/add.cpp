@@ -123,10 +123,15 @@ std::string AddCommand::new_name() const {
 void AddCommand::store(const std::string& kind, const std::string& name, std::vector<StoredFile> files) {
   EntryStore store((fs::path(managed_database(db_)) / kind).string());
   program_.stage(kWritingStage);
+  // An entry replaced by one with a file of another name would leave its own file behind.
+  std::vector<std::string> left =
+      force_ && kind == kFittings ? own_files(store.folder(), name) : std::vector<std::string>{};
   if (const auto taken = store.add(files, force_))
     throw InputError({{(fs::path(store.folder()) / *taken).string(), 0, 0},
                       "exists already: nothing was added",
                       "give another --name, or --force to replace it"});
+  for (const auto& file : files) std::erase(left, file.name);
+  store.remove(left);
   program_.say(fmt::format("added {}/{}", store.folder(), name));
 }
 

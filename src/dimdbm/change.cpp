@@ -12,34 +12,8 @@
 #include "photometry/photometry_writer.hpp"
 
 namespace dim {
-namespace {
 
 namespace fs = std::filesystem;
-
-/// The photometric files beside an entry that it names and no other entry does.
-std::vector<std::string> own_files(const std::string& folder, const std::string& name) {
-  const auto named_by = [&](const std::string& entry) -> std::string {
-    try {
-      const std::string path = (fs::path(folder) / (entry + ".toml")).string();
-      return fs::path(read_fitting_entry(read_text_file(path, kMaxTomlBytes), path, entry).file)
-          .lexically_normal()
-          .string();
-    } catch (const Error&) {
-      return {};
-    }
-  };
-  const std::string file = named_by(name);
-  if (file.empty() || fs::path(file).parent_path().lexically_normal() != fs::path(folder).lexically_normal())
-    return {};
-  std::error_code error;
-  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
-    if (it->path().extension() == ".toml" && it->path().stem() != name &&
-        named_by(it->path().stem().string()) == file)
-      return {};
-  return {fs::path(file).filename().string()};
-}
-
-}  // namespace
 
 RemoveCommand::RemoveCommand(Program& program) : program_(program) {
   remove_ = program.add_command("remove", "Removes entries and the photometric files that only they use",

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "database/entry_store.hpp"
 #include "database/fitting_record.hpp"
@@ -40,5 +41,9 @@ Found find_entry_or_file(const DatabaseSearch& search, const std::string& name, 
 
 /// Whether the text of an entry is a fitting's: its `dim` header, else whether it names a `file`.
 bool is_fitting_text(const std::string& text, const std::string& file);
+
+/// The photometric file beside a fitting entry that it names and no other entry of the folder does; none
+/// where there is no such file or entry.
+std::vector<std::string> own_files(const std::string& folder, const std::string& name);
 
 }  // namespace dim

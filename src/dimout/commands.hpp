@@ -84,7 +84,9 @@ class ImageCommand {
   std::string quantity_ = "illuminance";
   std::string range_;
   bool logarithmic_ = false;
+  bool spectral_ = false;
   double white_cd_m2_ = 0.0;
+  double screen_white_cd_m2_ = 100.0;
   int samples_ = 3;
   CLI::App* image_;
 };

@@ -40,6 +40,17 @@ void parse_range(const std::string& text, FalseColourOptions& options) {
   options.high = number(text.substr(colon + 1));
 }
 
+std::string tone_words(const PictureOptions& picture, const PictureReport& report) {
+  const std::string exposure =
+      picture.tone == Tone::stevens
+          ? fmt::format("eye adapted to {:.4g} cd/m2, screen of {:.4g} cd/m2", report.scene_adaptation_cd_m2,
+                        picture.stevens.screen_white_cd_m2)
+          : fmt::format("{:.4g} cd/m2 shown as white{}", report.display_white_cd_m2,
+                        report.automatic_exposure ? " (automatic)" : "");
+  return fmt::format("{} x {}, {}; {} pixels brighter, {} outside the display's colours", report.width,
+                     report.height, exposure, report.n_above_white, report.n_out_of_gamut);
+}
+
 }  // namespace
 
 ImageCommand::ImageCommand(Program& program) : program_(program) {
@@ -54,15 +65,25 @@ ImageCommand::ImageCommand(Program& program) : program_(program) {
   app.add_option("--view", view_, "View of the zone file; its first one unless said")->type_name("NAME");
   app.add_option("--size", size_, "Picture size in pixels in place of the view's")->type_name("WxH");
   app.add_option("--samples", samples_, "Rays through each pixel: N x N")->check(CLI::Range(1, 16));
-  app.add_option("--shade", shade_, "cell: flat cells; smooth: interpolated within each surface; gather: direct light at every pixel")
+  app.add_option(
+         "--shade", shade_,
+         "cell: flat cells; smooth: interpolated within each surface; gather: direct light at every pixel")
       ->check(CLI::IsMember({"cell", "smooth", "gather"}));
-  app.add_option("--tone", tone_,
-                 "linear: display luminance in proportion; falsecolour: figures with a legend")
-      ->check(CLI::IsMember({"linear", "falsecolour"}));
+  app.add_option(
+         "--tone", tone_,
+         "linear: display luminance in proportion; stevens: as bright on the screen as the scene looks; "
+         "falsecolour: figures with a legend")
+      ->check(CLI::IsMember({"linear", "stevens", "falsecolour"}));
   app.add_option("--white", white_cd_m2_, "Luminance shown as white, cd/m2; 0: found from the picture")
       ->check(number_within(0.0, HUGE_VAL))
       ->type_name("CD_M2")
       ->group("Linear tone");
+  app.add_option("--screen-white", screen_white_cd_m2_, "Luminance of the screen's own white, cd/m2")
+      ->check(number_within(0.0, HUGE_VAL, true))
+      ->type_name("CD_M2")
+      ->group("Stevens tone");
+  app.add_flag("--spectral", spectral_, "Also the spectral radiance in each waveband, channels S0.*")
+      ->group("OpenEXR");
   app.add_option("--quantity", quantity_, "What false colour shows")
       ->check(CLI::IsMember({"illuminance", "luminance"}))
       ->group("False colour");
@@ -87,12 +108,17 @@ View ImageCommand::chosen_view(const Zone& zone) const {
 void ImageCommand::render() {
   const auto format = picture_format_of(input_.output);
   if (!format) throw UsageError("-o '" + input_.output + "': the name must end in .png, .hdr or .exr");
+  if (spectral_ && *format != PictureFormat::exr)
+    throw UsageError("--spectral: -o '" + input_.output + "' must end in .exr, which alone holds spectra");
   program_.check_output(input_.output, {input_.path});
   PictureOptions picture;
   picture.format = *format;
-  picture.tone = tone_ == "falsecolour" ? Tone::false_colour : Tone::linear;
+  picture.tone = tone_ == "falsecolour" ? Tone::false_colour
+                 : tone_ == "stevens"   ? Tone::stevens
+                                        : Tone::linear;
   picture.notes.software = "DIM " + version();
   if (white_cd_m2_ > 0.0) picture.linear.display_white_cd_m2 = white_cd_m2_;
+  picture.stevens.screen_white_cd_m2 = screen_white_cd_m2_;
   parse_range(range_, picture.false_colour);
   picture.false_colour.kind = logarithmic_ ? ScaleKind::logarithmic : ScaleKind::linear;
   picture.false_colour.title = quantity_ == "illuminance" ? "Illuminance" : "Luminance";
@@ -106,6 +132,7 @@ void ImageCommand::render() {
   options.shading =
       shade_ == "cell" ? Shading::cell : (shade_ == "smooth" ? Shading::smooth : Shading::gather);
   options.scalar = quantity_ == "illuminance" ? ScalarQuantity::illuminance : ScalarQuantity::luminance;
+  options.spectral = spectral_;
   program_.stage("render");
   const Mix mix = mix_of(database, input_);
   const Raster raster = render_view(database, cells, mix, options, program_.job());
@@ -114,11 +141,8 @@ void ImageCommand::render() {
   const auto report = write_picture(executable_folder() + "/../lib/dim", input_.output, raster, picture);
   program_.stage("");
   program_.warn(report.warnings);
-  if (*format == PictureFormat::png && picture.tone == Tone::linear)
-    program_.say(fmt::format(
-        "{} x {}, {:.4g} cd/m2 shown as white{}; {} pixels brighter, {} outside the display's colours",
-        report.width, report.height, report.display_white_cd_m2,
-        report.automatic_exposure ? " (automatic)" : "", report.n_above_white, report.n_out_of_gamut));
+  if (*format == PictureFormat::png && picture.tone != Tone::false_colour)
+    program_.say(tone_words(picture, report));
 }
 
 }  // namespace dim

@@ -31,6 +31,11 @@ class SolveCommand {
   std::string combine_ = "each";
   double tolerance_ = GatherOptions{}.tolerance;
   std::string bands_ = "1";
+  std::string solver_ = "gather";
+  double threshold_ = TrackOptions{}.threshold;
+  int mirror_depth_ = SimulationOptions{}.mirror_depth;
+  bool explain_ = false;
+  std::vector<std::string> full_;
 };
 
 }  // namespace dim

@@ -39,6 +39,8 @@ setup() {
   cmp before mine/fittings/lamp.toml
   dimdbm add axial.ies --db mine --name lamp --watts 30 --force --quiet
   dimdbm show lamp --db mine --json | grep -q '"watts": 30.0'
+  dimdbm add ldt_isym2.ldt --db mine --name lamp --force --quiet
+  [ "$(ls mine/fittings | tr '\n' ' ')" = "lamp.ldt lamp.toml " ]
   dimdbm remove lamp --db mine --quiet
   [ -z "$(ls mine/fittings)" ]
 }

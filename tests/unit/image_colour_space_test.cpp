@@ -55,6 +55,17 @@ TEST_CASE("Impossible primaries and whites are refused", "[image][unit]") {
   CHECK_THROWS_AS(dim::bradford_adaptation(Vec3(0, 0, 0), Vec3(1.0)), dim::InputError);
 }
 
+TEST_CASE("Light that the display cannot show is not made neutral", "[image][unit]") {
+  for (const dim::Chromaticity& inside : {dim::kWhiteEqualEnergy, {0.4476, 0.4074}, {0.5292, 0.4114}}) {
+    const Vec3 white = 3.0 * dim::xyz_of(inside);
+    CHECK(dim::neutral_white(white, dim::kSrgbPrimaries) == white);
+  }
+  // 589 nm and 650 nm on the spectral locus, CIE 1931; no light at all.
+  for (const Vec3& outside : {Vec3(1.0, 0.7626, 0.0011), Vec3(0.2835, 0.107, 0.0), Vec3(0.0)}) {
+    CHECK(dim::neutral_white(outside, dim::kSrgbPrimaries) == dim::xyz_of(dim::kWhiteD65));
+  }
+}
+
 TEST_CASE("The sRGB transfer function meets its published points and inverts", "[image][unit]") {
   CHECK(dim::srgb_encode(0.0) == 0.0);
   CHECK(dim::srgb_encode(1.0) == Approx(1.0).margin(1e-12));

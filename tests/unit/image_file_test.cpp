@@ -5,7 +5,6 @@
 #include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 #include <OpenImageIO/imageio.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -14,22 +13,16 @@
 
 #include "catch.hpp"
 #include "image/writer.hpp"
+#include "image_file_support.hpp"
 
 namespace fs = std::filesystem;
 using dim::PictureFormat;
 using dim::Raster;
 using dim::Vec3;
+using dim::test::kModuleDir;
+using dim::test::TempFolder;
 
 namespace {
-
-const std::string kModuleDir = DIM_IMAGE_MODULE_DIR;
-
-struct TempFolder {
-  fs::path path = fs::temp_directory_path() / ("dim-image-ä " + std::to_string(getpid()));
-  TempFolder() { fs::create_directories(path); }
-  ~TempFolder() { fs::remove_all(path); }
-  std::string operator/(const std::string& name) const { return (path / name).string(); }
-};
 
 /// 40 x 9: luminance 0.01 to 10,000 cd/m2 along x; rows alternate equal-energy grey and two colours.
 Raster sample() {

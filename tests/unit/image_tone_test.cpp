@@ -105,6 +105,23 @@ TEST_CASE("Spectral green is outside sRGB: brought in and counted", "[image][uni
   CHECK(result.n_above_white == 0);
 }
 
+TEST_CASE("A room under sodium light is shown in its orange, a red one in red", "[image][unit]") {
+  // 589 nm and 650 nm on the spectral locus, CIE 1931
+  for (const Vec3& light : {Vec3(1.0, 0.7626, 0.0011), Vec3(0.2835, 0.107, 0.0)}) {
+    dim::ToneOptions options;
+    options.scene_white_xyz = light;
+    options.display_white_cd_m2 = 1000;
+    const auto result = dim::tone_linear(uniform(1, 1, 50.0 * light), options);
+    CHECK(result.picture.rgb[0] > 2 * result.picture.rgb[1]);
+    CHECK(result.n_out_of_gamut == 1);
+    const dim::LinearPicture linear = dim::exr_pixels(uniform(1, 1, 50.0 * light), light);
+    const Vec3 back =
+        dim::rgb_to_xyz(linear.primaries) * Vec3(linear.values[0], linear.values[1], linear.values[2]);
+    for (int i = 0; i < 3; ++i) CHECK(back[i] == Approx(50 * light[i]).margin(1e-4));
+    CHECK(linear.primaries.white.x == Approx(dim::kWhiteD65.x));
+  }
+}
+
 TEST_CASE("Wrong exposures and rasters are refused", "[image][unit]") {
   const Raster raster = uniform(2, 2, Vec3(1.0));
   for (const double bad : {0.0, -1.0, std::nan(""), HUGE_VAL}) {

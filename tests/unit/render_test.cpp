@@ -3,7 +3,7 @@
 
 #include "catch.hpp"
 #include "geometry/perspective.hpp"
-#include "image/cell_shade.hpp"
+#include "image/light_field.hpp"
 #include "property/transport_support.hpp"
 #include "unit/files_support.hpp"
 
@@ -23,9 +23,9 @@ View view_of(const Vec3& eye, const Vec3& focus, int width, int height, double f
   return view;
 }
 
-// A database whose cells all have the same irradiance.
-LuminanceDatabase uniform_database(const Zone& zone, const Lights& lights, double illuminance_lx,
-                                   const std::string& path) {
+// A database of given illuminances of the cells, all of it indirect.
+LuminanceDatabase database_of(const Zone& zone, const Lights& lights, const std::vector<double>& cell_lx,
+                              const std::string& path) {
   const Cells cells(zone);
   Solution solution;
   Source source;
@@ -35,11 +35,16 @@ LuminanceDatabase uniform_database(const Zone& zone, const Lights& lights, doubl
   source.weights = band_weights(SpectralCurve(1.0), Bands{});
   solution.sources = {source};
   solution.n_cells = cells.size();
-  const auto watts = static_cast<float>(illuminance_lx / source.weights.efficacy_lm_W);
   solution.cell_direct.assign(cells.size(), 0.0F);
-  solution.cell_total.assign(cells.size(), watts);
+  for (const double lx : cell_lx)
+    solution.cell_total.push_back(static_cast<float>(lx / source.weights.efficacy_lm_W));
   save_lum(path, zone, cells, lights, solution, "");
   return LuminanceDatabase(path);
+}
+
+LuminanceDatabase uniform_database(const Zone& zone, const Lights& lights, double illuminance_lx,
+                                   const std::string& path) {
+  return database_of(zone, lights, std::vector<double>(Cells(zone).size(), illuminance_lx), path);
 }
 
 }  // namespace
@@ -51,7 +56,7 @@ TEST_CASE("A picture of a uniform closed room shows rho E over pi everywhere", "
   const Cells cells(database.zone());
   RenderOptions options;
   options.view = view_of({-2.7, -1.6, 0.2}, {1, 0.5, -0.5}, 60, 45);
-  options.smooth = GENERATE(false, true);
+  options.shading = GENERATE(Shading::cell, Shading::smooth, Shading::gather);
   options.samples = GENERATE(1, 2);
   options.scalar = GENERATE(ScalarQuantity::illuminance, ScalarQuantity::luminance);
   const Raster raster = render_view(database, cells, {1.0}, options, Job{});
@@ -152,26 +157,30 @@ TEST_CASE("The light in a picture of an opening is the illuminance it gives the 
 }
 
 TEST_CASE("Smooth shading is bilinear between the middles of cells", "[image][unit]") {
+  const Folder folder;
   Zone zone;
   zone.diameter_m = 5.0;
   add_grey(zone, 0.5);
   add_floor(zone, {0, 0}, {4, 2}, 0.0, 4, 2);
   const Cells cells(zone);
-  CellAppearance appearance;
+  std::vector<double> lx;
   // 10 u + 100 v at the middles: bilinear gives the plane back.
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const Vec2 c = cells[i].centroid;
-    appearance.illuminance_lx.push_back(10 * c.x + 100 * c.y);
-    appearance.xyz_cd_m2.push_back(Vec3(c.x, c.y, 1.0));
-  }
-  const CellShade smooth(zone, cells, appearance, true), flat(zone, cells, appearance, false);
-  for (const Vec2& p : {Vec2(0.5, 0.5), Vec2(1.3, 0.9), Vec2(3.49, 1.49), Vec2(2.0, 1.0)}) {
-    CHECK(smooth.at(0, p).illuminance_lx == Approx(10 * p.x + 100 * p.y));
-    CHECK(smooth.at(0, p).xyz_cd_m2.x == Approx(p.x));
-  }
-  CHECK(smooth.at(0, {0.0, 0.0}).illuminance_lx == Approx(55.0));  // constant beyond the outer middles
-  CHECK(smooth.at(0, {4.0, 2.0}).illuminance_lx == Approx(185.0));
-  CHECK(flat.at(0, {1.3, 0.9}).illuminance_lx == Approx(65.0));
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    lx.push_back(10 * cells[i].centroid.x + 100 * cells[i].centroid.y);
+  const auto database = database_of(zone, point_lamp({1, 1, 1}, 0.0), lx, folder / "a.lum");
+  const LightChannels channels(database, {1.0});
+  const LightField smooth(database, cells, {1.0}, channels, true, false),
+      flat(database, cells, {1.0}, channels, false, false);
+  const auto at = [&](const LightField& field, const Vec2& p) {
+    Light light(channels.size(), 0.0);
+    field.add_irradiance(0, p, light);
+    return light[0] * channels.xyz(0).y;
+  };
+  for (const Vec2& p : {Vec2(0.5, 0.5), Vec2(1.3, 0.9), Vec2(3.49, 1.49), Vec2(2.0, 1.0)})
+    CHECK(at(smooth, p) == Approx(10 * p.x + 100 * p.y).epsilon(1e-6));
+  CHECK(at(smooth, {0.0, 0.0}) == Approx(55.0).epsilon(1e-6));  // constant beyond the outer middles
+  CHECK(at(smooth, {4.0, 2.0}) == Approx(185.0).epsilon(1e-6));
+  CHECK(at(flat, {1.3, 0.9}) == Approx(65.0).epsilon(1e-6));
 }
 
 TEST_CASE("The scene's white is its sources' colours by their flux", "[image][unit]") {

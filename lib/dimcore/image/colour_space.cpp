@@ -58,6 +58,11 @@ glm::dmat3 bradford_adaptation(const Vec3& from_white_xyz, const Vec3& to_white_
   return glm::inverse(bradford_cones()) * scale * bradford_cones();
 }
 
+Vec3 neutral_white(const Vec3& scene_white_xyz, const Primaries& display) {
+  const Vec3 rgb = xyz_to_rgb(display) * scene_white_xyz;
+  return rgb.x > 0 && rgb.y > 0 && rgb.z > 0 ? scene_white_xyz : xyz_of(display.white);
+}
+
 double srgb_encode(double linear) {
   const double v = std::clamp(linear, 0.0, 1.0);
   return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055;

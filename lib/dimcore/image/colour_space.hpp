@@ -46,6 +46,12 @@ glm::dmat3 xyz_to_rgb(const Primaries& primaries);
 /// @throws InputError  a white has Y <= 0 or a cone response <= 0
 glm::dmat3 bradford_adaptation(const Vec3& from_white_xyz, const Vec3& to_white_xyz);
 
+/// The white to adapt to: the scene's, where the display can show its colour (all three components above 0),
+/// else the display's own, so that the light keeps its colour. Light of nearly one wavelength, a sodium
+/// lamp's or a red LED's, does not come to look white, and has no place among the cone responses of a white.
+/// @param scene_white_xyz  any scale
+Vec3 neutral_white(const Vec3& scene_white_xyz, const Primaries& display);
+
 /// Transfer function of IEC 61966-2-1: linear 0..1 → coded 0..1. Values outside are clamped.
 double srgb_encode(double linear);
 

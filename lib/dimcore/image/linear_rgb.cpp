@@ -39,7 +39,7 @@ LinearPicture radiance_pixels(const Raster& raster) {
 
 LinearPicture exr_pixels(const Raster& raster, const Vec3& scene_white_xyz) {
   Primaries primaries = kSrgbPrimaries;
-  primaries.white = chromaticity_of(scene_white_xyz);
+  primaries.white = chromaticity_of(neutral_white(scene_white_xyz, kSrgbPrimaries));
   const glm::dmat3 to_rgb = xyz_to_rgb(primaries);
   return convert(raster, primaries, 4, [&](const Vec3& xyz, float* out, LinearPicture&) {
     put(to_rgb * xyz, out);

@@ -29,7 +29,8 @@ LinearPicture radiance_pixels(const Raster& raster);
 
 /// Pixels for an OpenEXR picture, channels R, G, B and Y: R = G = B = 1 is 1 cd/m2 of the scene's white.
 /// The primaries are those of BT.709 with the scene's white as their white: a grey room is grey without any
-/// adaptation, and XYZ follows exactly from the file's chromaticities. Negative components are kept. NaN and
+/// adaptation, and XYZ follows exactly from the file's chromaticities. A scene's white outside BT.709 gives
+/// way to D65 (neutral_white). Negative components are kept. NaN and
 /// infinity become 0. Y is the luminance in cd/m2.
 LinearPicture exr_pixels(const Raster& raster, const Vec3& scene_white_xyz);
 

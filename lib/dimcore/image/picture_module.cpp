@@ -115,8 +115,21 @@ std::string PictureModule::radiance(const LinearPicture& picture, const PictureN
   return encode(plain_linear(picture, kDimImageRadiance), notes);
 }
 
-std::string PictureModule::exr(const LinearPicture& picture, const PictureNotes& notes) const {
-  return encode(plain_linear(picture, kDimImageExr), notes);
+std::string PictureModule::exr(const LinearPicture& picture, const PictureNotes& notes,
+                               const SpectralPixels& spectral) const {
+  DimImagePicture plain = plain_linear(picture, kDimImageExr);
+  if (spectral.empty()) return encode(plain, notes);
+  std::vector<const char*> names;
+  for (const std::string& name : spectral.channels) names.push_back(name.c_str());
+  const std::array<DimImageAttribute, 3> attributes = {{{"spectralLayoutVersion", kSpectralLayoutVersion},
+                                                        {"emissiveUnits", kEmissiveUnits},
+                                                        {"bandEdges_nm", spectral.band_edges_nm.c_str()}}};
+  plain.n_more_channels = static_cast<std::int32_t>(names.size());
+  plain.more_channel_names = names.data();
+  plain.more = spectral.values.data();
+  plain.n_attributes = static_cast<std::int32_t>(attributes.size());
+  plain.attributes = attributes.data();
+  return encode(plain, notes);
 }
 
 TextExtent PictureModule::measure(const std::string& utf8, int size_px) const {

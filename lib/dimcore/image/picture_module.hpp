@@ -7,6 +7,7 @@
 #include "image/linear_rgb.hpp"
 #include "image/module/abi.hpp"
 #include "image/raster.hpp"
+#include "image/spectral_pixels.hpp"
 
 namespace dim {
 
@@ -32,8 +33,9 @@ class PictureModule : public TextDrawer {
   std::string png(const Picture8& picture, const PictureNotes& notes) const;
   /// The bytes of a Radiance picture from radiance_pixels.
   std::string radiance(const LinearPicture& picture, const PictureNotes& notes) const;
-  /// The bytes of an OpenEXR file from exr_pixels.
-  std::string exr(const LinearPicture& picture, const PictureNotes& notes) const;
+  /// The bytes of an OpenEXR file from exr_pixels, with spectral channels beside them where there are any.
+  std::string exr(const LinearPicture& picture, const PictureNotes& notes,
+                  const SpectralPixels& spectral = {}) const;
 
   bool available() const override { return no_font_.empty(); }
   /// Why there can be no text; empty where there can.

@@ -39,7 +39,9 @@ struct Picture8 {
 
 /// Checks that sizes and arrays belong together.
 /// @throws LimitError     a side is below 1 or above kMaxPictureSide
-/// @throws InternalError  xyz or a non-empty scalar has another size than the raster
+/// @throws InternalError  xyz, or a non-empty scalar or radiance, has another size than the raster, or the
+/// band
+///                        edges do not increase
 void check_raster(const Raster& raster);
 
 }  // namespace dim

@@ -34,7 +34,7 @@ Lights lights_of(const LuminanceDatabase& database) {
   Lights lights;
   for (const auto& intensity : database.intensities()) {
     lights.fittings.push_back(
-        {.name = "", .intensity = intensity, .opening = {}, .flux_lm = intensity.flux_lm()});
+        {"", intensity, LuminousOpening{}, intensity.flux_lm(), SpectralCurve(1.0), false, "", 0.0, std::nullopt});
   }
   for (const auto& shown : database.luminaires()) {
     Luminaire luminaire;

@@ -77,7 +77,8 @@ ToneResult tone_linear(const Raster& raster, const ToneOptions& options) {
   check_raster(raster);
   ToneResult result;
   result.display_white_cd_m2 = given_or_automatic_white(raster, options);
-  const glm::dmat3 adapt = bradford_adaptation(options.scene_white_xyz, xyz_of(options.display.white));
+  const Vec3 white = neutral_white(options.scene_white_xyz, options.display);
+  const glm::dmat3 adapt = bradford_adaptation(white, xyz_of(options.display.white));
   const glm::dmat3 to_display = (1.0 / result.display_white_cd_m2) * (xyz_to_rgb(options.display) * adapt);
   const Vec3 weights = luminance_weights(options.display);
 

@@ -16,7 +16,8 @@ inline constexpr double kAutoExposureShownAt = 0.70;
 struct ToneOptions {
   Primaries display = kSrgbPrimaries;
   /// XYZ (any scale) of what is to look neutral; adapted to the display's white (Bradford). Equal-energy by
-  /// default, as a fitting without a spectrum is. Set it to the display's white for no adaptation.
+  /// default, as a fitting without a spectrum is. Set it to the display's white for no adaptation; there is
+  /// none either where it is not a colour of the display (neutral_white).
   Vec3 scene_white_xyz = {1, 1, 1};
   /// Luminance shown as the display's white, cd/m2, > 0; absent: automatic_display_white_cd_m2.
   std::optional<double> display_white_cd_m2 = {};
@@ -38,7 +39,7 @@ double automatic_display_white_cd_m2(const Raster& raster);
 /// Linear tone reproduction to sRGB-coded 8 bits: display luminance is proportional to scene luminance up to
 /// the display's white. Colour: adapted XYZ → primaries (physics.md eq. 17), bring_into_gamut, IEC 61966-2-1.
 /// Pixels with a NaN or infinite component are black and not counted.
-/// @throws InputError  an exposure that is not finite and > 0; impossible primaries or white
+/// @throws InputError  an exposure that is not finite and > 0; impossible primaries
 /// @throws LimitError, InternalError  see check_raster
 ToneResult tone_linear(const Raster& raster, const ToneOptions& options = {});
 

@@ -21,15 +21,45 @@ void note_size(PictureReport& report, int width, int height) {
   report.height = height;
 }
 
+void note_tone(PictureReport& report, const ToneResult& toned) {
+  note_size(report, toned.picture.width, toned.picture.height);
+  report.n_above_white = toned.n_above_white;
+  report.n_out_of_gamut = toned.n_out_of_gamut;
+}
+
+// Says so where the light of the scene cannot be shown as white.
+void note_white(PictureReport& report, const PictureOptions& options) {
+  const Vec3& white = options.linear.scene_white_xyz;
+  if (neutral_white(white, options.linear.display) == white) return;
+  report.warnings.push_back({{},
+                             "the light of this scene is too strongly coloured to be shown as white",
+                             "the picture keeps its colour"});
+}
+
 EncodedPicture linear_png(const PictureModule& module, const Raster& raster, const PictureOptions& options) {
   EncodedPicture result;
   const ToneResult toned = tone_linear(raster, options.linear);
-  note_size(result.report, raster.width, raster.height);
+  note_tone(result.report, toned);
+  note_white(result.report, options);
   result.report.display_white_cd_m2 = toned.display_white_cd_m2;
   result.report.automatic_exposure = !options.linear.display_white_cd_m2;
-  result.report.n_above_white = toned.n_above_white;
-  result.report.n_out_of_gamut = toned.n_out_of_gamut;
   const std::string words = fmt::format("linear tone, white = {:.4g} cd/m2", toned.display_white_cd_m2);
+  result.bytes = module.png(toned.picture, with_description(options.notes, words));
+  return result;
+}
+
+EncodedPicture stevens_png(const PictureModule& module, const Raster& raster, const PictureOptions& options) {
+  EncodedPicture result;
+  const StevensResult mapped = map_brightness(raster, options.stevens);
+  ToneOptions tone = options.linear;
+  tone.display_white_cd_m2 = options.stevens.screen_white_cd_m2;
+  const ToneResult toned = tone_linear(mapped.shown, tone);
+  note_tone(result.report, toned);
+  note_white(result.report, options);
+  result.report.scene_adaptation_cd_m2 = mapped.scene_adaptation_cd_m2;
+  const std::string words =
+      fmt::format("Stevens brightness mapping, eye adapted to {:.4g} cd/m2, screen of {:.4g} cd/m2",
+                  mapped.scene_adaptation_cd_m2, options.stevens.screen_white_cd_m2);
   result.bytes = module.png(toned.picture, with_description(options.notes, words));
   return result;
 }
@@ -67,9 +97,12 @@ EncodedPicture radiance_file(const PictureModule& module, const Raster& raster,
 EncodedPicture exr_file(const PictureModule& module, const Raster& raster, const PictureOptions& options) {
   EncodedPicture result;
   note_size(result.report, raster.width, raster.height);
-  result.bytes =
-      module.exr(exr_pixels(raster, options.linear.scene_white_xyz),
-                 with_description(options.notes, "R = G = B = 1 is 1 cd/m2; luminance.Y in cd/m2"));
+  note_white(result.report, options);
+  const SpectralPixels spectral = spectral_pixels(raster);
+  std::string words = "R = G = B = 1 is 1 cd/m2; luminance.Y in cd/m2";
+  if (!spectral.empty()) words += "; S0.*: mean of each waveband, W/(m2 sr nm)";
+  result.bytes = module.exr(exr_pixels(raster, options.linear.scene_white_xyz),
+                            with_description(options.notes, words), spectral);
   return result;
 }
 
@@ -95,8 +128,15 @@ EncodedPicture encode_picture(const PictureModule& module, const Raster& raster,
     case PictureFormat::png:
       break;
   }
-  return options.tone == Tone::linear ? linear_png(module, raster, options)
-                                      : false_colour_png(module, raster, options);
+  switch (options.tone) {
+    case Tone::linear:
+      return linear_png(module, raster, options);
+    case Tone::stevens:
+      return stevens_png(module, raster, options);
+    case Tone::false_colour:
+      break;
+  }
+  return false_colour_png(module, raster, options);
 }
 
 PictureReport write_picture(const std::string& library_dir, const std::string& path, const Raster& raster,

@@ -8,6 +8,7 @@
 #include "image/false_colour.hpp"
 #include "image/picture_module.hpp"
 #include "image/raster.hpp"
+#include "image/stevens.hpp"
 #include "image/tone.hpp"
 
 /// From a rendered view to a picture file: the one header a program needs.
@@ -18,13 +19,16 @@ enum class PictureFormat { png, radiance_hdr, exr };
 /// By the name's ending (.png, .hdr or .pic, .exr, in either case); nothing for another ending.
 std::optional<PictureFormat> picture_format_of(const std::string& path);
 
-enum class Tone { linear, false_colour };
+enum class Tone { linear, stevens, false_colour };
 
+/// An OpenEXR picture holds spectral channels where the raster has radiance by band (see spectral_pixels).
 struct PictureOptions {
   PictureFormat format = PictureFormat::png;
   /// PNG only; the other two hold physical values, whatever the tone.
   Tone tone = Tone::linear;
+  /// Linear tone; of these, Stevens' tone takes the primaries, the scene's white and the dithering.
   ToneOptions linear;
+  StevensOptions stevens;
   FalseColourOptions false_colour;
   PictureNotes notes;
 };
@@ -35,12 +39,13 @@ struct PictureReport {
   int height = 0;
   double display_white_cd_m2 = 0;  ///< linear PNG: luminance shown as white
   bool automatic_exposure = false;
-  std::size_t n_above_white = 0;   ///< linear PNG: pixels shown as white because they are brighter
+  double scene_adaptation_cd_m2 = 0;  ///< Stevens PNG: log-mean luminance of the view
+  std::size_t n_above_white = 0;   ///< linear, Stevens PNG: pixels shown as white because they are brighter
   std::size_t n_out_of_gamut = 0;  ///< PNG, HDR: pixels whose colour was brought in
   Scale scale;                     ///< false colour: the scale used
   std::size_t n_below_scale = 0;
   std::size_t n_above_scale = 0;
-  Warnings warnings;  ///< a legend without words
+  Warnings warnings;  ///< a legend without words, light too coloured to be shown as white
 };
 
 struct EncodedPicture {

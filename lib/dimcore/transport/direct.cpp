@@ -42,20 +42,21 @@ Receiver cell_receiver(const Zone& zone, const Cells& cells, std::size_t cell) {
 }
 
 std::vector<PairIntegrator> make_integrators(const Zone& zone, const Lights& lights,
-                                             const std::vector<Emitter>& emitters, const RayCaster& caster) {
+                                             const std::vector<Emitter>& emitters, const RayCaster& caster,
+                                             bool in_the_way) {
   const double faint_lx = kFaint * total_flux_lm(lights) / total_area_m2(zone);
   const int n_probe_rays = std::clamp(kProbeRaysPerReceiver / std::max(1, static_cast<int>(emitters.size())),
                                       kLeastProbeRays, kMostProbeRays);
   std::vector<PairIntegrator> integrators;
   for (const auto& emitter : emitters)
-    integrators.emplace_back(zone, caster, emitter, faint_lx, n_probe_rays, integrators.size());
+    integrators.emplace_back(zone, caster, emitter, faint_lx, n_probe_rays, integrators.size(), in_the_way);
   return integrators;
 }
 
 void direct_light(const Zone& zone, const Cells& cells, const Lights& lights,
                   const std::vector<Emitter>& emitters, const RayCaster& caster, const DirectSink& on_cell,
-                  const DirectSink& on_point, const Job& job) {
-  const auto integrators = make_integrators(zone, lights, emitters, caster);
+                  const DirectSink& on_point, const Job& job, bool in_the_way) {
+  const auto integrators = make_integrators(zone, lights, emitters, caster, in_the_way);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells.size(), 8), [&](const auto& range) {
     if (job.stopped()) return;
     for (std::size_t i = range.begin(); i != range.end(); ++i) {

@@ -35,18 +35,21 @@ DirectLight direct_light(const Zone& zone, const Cells& cells, const Lights& lig
 using DirectSink = std::function<void(std::size_t receiver, std::size_t emitter, double lx)>;
 
 /// The same emitter by emitter, images in mirrors included (as if the mirrors reflected everything).
-/// @param caster  of `Obstructions`
+/// @param caster      of `Obstructions`
+/// @param in_the_way  false where no surface can be (see `is_convex_and_empty`): visibility is then not
+/// tested
 /// @throws Interrupted
 void direct_light(const Zone& zone, const Cells& cells, const Lights& lights,
                   const std::vector<Emitter>& emitters, const RayCaster& caster, const DirectSink& on_cell,
-                  const DirectSink& on_point, const Job& job);
+                  const DirectSink& on_point, const Job& job, bool in_the_way = true);
 
 /// The cell as a receiver of direct light. The result points into `zone` and `cells`.
 Receiver cell_receiver(const Zone& zone, const Cells& cells, std::size_t cell);
 
 /// One integrator an emitter; they point into `emitters`.
 std::vector<PairIntegrator> make_integrators(const Zone& zone, const Lights& lights,
-                                             const std::vector<Emitter>& emitters, const RayCaster& caster);
+                                             const std::vector<Emitter>& emitters, const RayCaster& caster,
+                                             bool in_the_way = true);
 
 /// What becomes of a luminaire's light on its first flight, as shares of its flux.
 struct FirstFlight {

@@ -17,7 +17,7 @@ class Builder {
  public:
   Builder(const Zone& zone, const Cells& cells, const Lights& lights, const ReflectanceClasses& classes,
           const Shine& shine, const RayCaster& caster, const std::vector<std::size_t>& source_of,
-          std::size_t n_sources, int mirror_depth)
+          std::size_t n_sources, int mirror_depth, bool in_the_way)
       : zone_(zone),
         cells_(cells),
         lights_(lights),
@@ -27,7 +27,9 @@ class Builder {
         source_of_(source_of),
         n_sources_(n_sources),
         mirror_depth_(shine.has_mirrors() ? mirror_depth : 0),
-        emitters_(make_emitters(zone, lights, shine.mirrors(), mirror_depth_)) {
+        in_the_way_(in_the_way),
+        emitters_(make_emitters(zone, lights, shine.mirrors(), mirror_depth_)),
+        integrators_(make_integrators(zone, lights, emitters_, caster, in_the_way)) {
     result_.n_columns = shine.has_mirrors() ? n_sources * classes.size() : n_sources;
     result_.cell.assign(cells.size() * result_.n_columns, 0.0);
     result_.point.assign(zone.points.size() * result_.n_columns, 0.0);
@@ -43,7 +45,7 @@ class Builder {
         [&](std::size_t p, std::size_t e, double lx) {
           if (lx > 0.0) add(&result_.point[p * result_.n_columns], zone_.points[p].position, e, lx);
         },
-        job);
+        job, in_the_way_);
     auto& shine = result_.shine;
     shine.mirrored.assign(n_all(), 0.0);
     shine.not_followed.assign(n_all(), 0.0);
@@ -51,6 +53,7 @@ class Builder {
       shine.mirrored[at % n_all()] += mirrored_[at];
       shine.not_followed[at % n_all()] += not_followed_[at];
     }
+    result_.n_images = emitters_.size() - lights_.luminaires.size();
     shine.psi.assign(shine_.n_states() * n_all(), 0.0F);
     if (shine_.n_off_specular() > 0) fill_lobes(job);
     return std::move(result_);
@@ -96,22 +99,42 @@ class Builder {
     if (kind == Shininess::mirror) reflect_whole(i, e, lx);
   }
 
+  // Paths along which an emitter's light meets a cell; one to its middle where none was found.
+  std::vector<PairIntegrator::Path> paths_to(std::size_t cell, std::size_t e,
+                                             const PairIntegrator& integrator, double& total) const {
+    const Receiver receiver = cell_receiver(zone_, cells_, cell);
+    const Part pair = whole_pair(cells_[cell].low, cells_[cell].high);
+    const LowDiscrepancy4 chance(mix(cell) ^ mix(e));
+    std::vector<PairIntegrator::Path> paths;
+    total = 0.0;
+    for (std::uint64_t i = 0; i < kPaths; ++i) {
+      paths.push_back(integrator.path(receiver, pair, chance(i)));
+      total += paths.back().lx;
+    }
+    if (total > 0.0) return paths;
+    const Vec3 at = middle(cell);
+    total = 1.0;
+    return {{at, glm::normalize(emitters_[e].luminaire.at - at), 1.0}};
+  }
+
   void reflect_whole(std::size_t i, std::size_t e, double lx) {
     const auto& surface = zone_.surfaces[cells_.surface_of(i)];
-    const Vec3 at = middle(i);
-    const double cosine = std::clamp(
-        glm::dot(glm::normalize(emitters_[e].luminaire.at - at), surface.polygon.frame().n), 0.0, 1.0);
-    const auto tints = tint(at, e);
+    double total = 0.0;
+    const auto paths = paths_to(i, e, integrators_[e], total);
+    const auto tints = tint(middle(i), e);
     const bool last = static_cast<int>(emitters_[e].mirrors.size()) == mirror_depth_;
     for (std::size_t q = 0; q < tints.size(); ++q) {
-      const double flux = cells_.area_m2(i) * lx * tints[q] * classes_.at(q, surface.finish).fresnel(cosine);
+      double share = 0.0;
+      for (const auto& path : paths) {
+        const double cosine = std::clamp(glm::dot(path.towards, surface.polygon.frame().n), 0.0, 1.0);
+        share += path.lx / total * classes_.at(q, surface.finish).fresnel(cosine);
+      }
       const std::size_t column = i * n_all() + q * n_sources_ + source_of_[emitters_[e].original];
-      (last ? not_followed_ : mirrored_)[column] += flux;
+      (last ? not_followed_ : mirrored_)[column] += cells_.area_m2(i) * lx * tints[q] * share;
     }
   }
 
   void fill_lobes(const Job& job) {
-    const auto integrators = make_integrators(zone_, lights_, emitters_, caster_);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, shine_.n_off_specular(), 4), [&](const auto& range) {
       if (job.stopped()) return;
       std::vector<double> psi;
@@ -119,7 +142,7 @@ class Builder {
         psi.assign(shine_.grid().n_patches() * n_all(), 0.0);
         for (std::size_t e = 0; e < emitters_.size(); ++e) {
           const double lx = lobe_lx_[g * emitters_.size() + e];
-          if (lx > 0.0) reflect_by_lobe(g, e, lx, integrators[e], psi);
+          if (lx > 0.0) reflect_by_lobe(g, e, lx, integrators_[e], psi);
         }
         std::transform(psi.begin(), psi.end(),
                        result_.shine.psi.begin() + static_cast<std::ptrdiff_t>(g * psi.size()),
@@ -133,37 +156,25 @@ class Builder {
   void reflect_by_lobe(std::size_t g, std::size_t e, double lx, const PairIntegrator& integrator,
                        std::vector<double>& psi) const {
     const std::size_t cell = shine_.off_specular()[g];
-    const Receiver receiver = cell_receiver(zone_, cells_, cell);
-    const Part pair = whole_pair(cells_[cell].low, cells_[cell].high);
-    const LowDiscrepancy4 chance(mix(g) ^ mix(e));
-    std::vector<PairIntegrator::Path> paths;
     double total = 0.0;
-    for (std::uint64_t i = 0; i < kPaths; ++i) {
-      paths.push_back(integrator.path(receiver, pair, chance(i)));
-      total += paths.back().lx;
-    }
-    if (!(total > 0.0)) {
-      // None of these paths found the light there is.
-      const Vec3 at = middle(cell);
-      paths.assign(1, {at, glm::normalize(emitters_[e].luminaire.at - at), 1.0});
-      total = 1.0;
-    }
+    const auto paths = paths_to(cell, e, integrator, total);
     const auto tints = tint(middle(cell), e);
     for (std::size_t i = 0; i < paths.size(); ++i) {
       if (paths[i].lx > 0.0)
-        reflect_path(paths[i], lx * paths[i].lx / total, cell, mix(g) ^ mix(~e) ^ i, e, tints, psi);
+        reflect_path(paths[i], lx * paths[i].lx / total, cell, i, mix(g) ^ mix(~e), e, tints, psi);
     }
   }
 
-  void reflect_path(const PairIntegrator::Path& path, double lx, std::size_t cell, std::uint64_t stream,
-                    std::size_t e, const std::vector<double>& tints, std::vector<double>& psi) const {
+  void reflect_path(const PairIntegrator::Path& path, double lx, std::size_t cell, std::size_t index,
+                    std::uint64_t stream, std::size_t e, const std::vector<double>& tints,
+                    std::vector<double>& psi) const {
     const Surface& surface = zone_.surfaces[cells_.surface_of(cell)];
     Vec3 in = surface.polygon.frame().direction_to_local(path.towards);
     in.z = std::max(in.z, 1e-9);
     const LowDiscrepancy4 chance(stream);
     std::array<FacetSample, kFacets> facets;
     for (std::uint64_t f = 0; f < kFacets; ++f) {
-      const auto x = chance(f);
+      const auto x = chance(index * kFacets + f);
       facets[f] = sample_facet(shine_.facets(surface.finish), in, x[0], x[1]);
     }
     for (std::size_t q = 0; q < classes_.size(); ++q) {
@@ -192,7 +203,9 @@ class Builder {
   const std::vector<std::size_t>& source_of_;
   std::size_t n_sources_;
   int mirror_depth_;
+  bool in_the_way_;
   std::vector<Emitter> emitters_;
+  std::vector<PairIntegrator> integrators_;
   DirectColumns result_;
   std::vector<double> lobe_lx_;                  // [n_off_specular, n_emitters]
   std::vector<double> mirrored_, not_followed_;  // [n_cells, n_all]: cells of their own, summed in order
@@ -203,8 +216,9 @@ class Builder {
 DirectColumns direct_columns(const Zone& zone, const Cells& cells, const Lights& lights,
                              const ReflectanceClasses& classes, const Shine& shine, const RayCaster& caster,
                              const std::vector<std::size_t>& source_of, std::size_t n_sources,
-                             int mirror_depth, const Job& job) {
-  return Builder(zone, cells, lights, classes, shine, caster, source_of, n_sources, mirror_depth).build(job);
+                             int mirror_depth, bool in_the_way, const Job& job) {
+  return Builder(zone, cells, lights, classes, shine, caster, source_of, n_sources, mirror_depth, in_the_way)
+      .build(job);
 }
 
 }  // namespace dim

@@ -94,6 +94,13 @@ class Block {
       std::copy_n(&total_[i * width_], n_, &cell[i * n_columns + first]);
   }
 
+  // In place of solving: what was given as direct light is all there is.
+  void take_as_final(const std::vector<float>& psi) {
+    total_ = direct_;
+    if (shine_) shine_->set_psi(psi);
+    emit();
+  }
+
   // After report(): the exitances are those of the final irradiances, without the network's column scale.
   void gather_points(const std::vector<double>& point_direct, std::vector<double>& point,
                      std::size_t n_columns, std::size_t first) {
@@ -258,6 +265,20 @@ Gathered gather(const Network& network, const Cells& cells, const std::vector<do
     job.report("solve", static_cast<double>(first + n) / static_cast<double>(n_columns));
   }
   return result;
+}
+
+std::vector<double> gather_points(const Network& network, const Cells& cells, const std::vector<double>& cell,
+                                  const std::vector<float>& psi, const std::vector<double>& point_direct,
+                                  const std::vector<double>& reflectance, std::size_t n_columns,
+                                  const GatherShine* shine) {
+  std::vector<double> point(network.point_sinks.n_rows() * n_columns);
+  for (std::size_t first = 0; first < n_columns; first += kMaxColumns) {
+    const std::size_t n = std::min(kMaxColumns, n_columns - first);
+    Block block(network, cells, cell, reflectance, n_columns, first, n, shine);
+    block.take_as_final(psi);
+    block.gather_points(point_direct, point, n_columns, first);
+  }
+  return point;
 }
 
 }  // namespace dim

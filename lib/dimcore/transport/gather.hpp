@@ -54,4 +54,12 @@ Gathered gather(const Network& network, const Cells& cells, const std::vector<do
                 std::size_t n_columns, const GatherOptions& options, const Job& job,
                 const GatherShine* shine = nullptr);
 
+/// What measuring points receive from cells whose irradiances are known: the last step of a solution.
+/// [n_points, n_columns]
+/// @param cell  [n_cells, n_columns] total irradiance; @param psi  [n_states, n_columns], empty without lobes
+std::vector<double> gather_points(const Network& network, const Cells& cells, const std::vector<double>& cell,
+                                  const std::vector<float>& psi, const std::vector<double>& point_direct,
+                                  const std::vector<double>& reflectance, std::size_t n_columns,
+                                  const GatherShine* shine);
+
 }  // namespace dim

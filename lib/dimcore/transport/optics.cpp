@@ -22,13 +22,14 @@ Shininess shininess(const Finish& finish, std::size_t index, const ReflectanceCl
 
 }  // namespace
 
-ReflectanceClasses classify(const Zone& zone, const Bands& bands) {
+ReflectanceClasses classify(const Zone& zone, const Bands& bands, bool apart) {
   ReflectanceClasses classes;
   for (std::size_t b = 0; b < bands.size(); ++b) {
     std::vector<BandReflection> finishes;
     for (const auto& finish : zone.finishes)
       finishes.push_back(band_reflection(finish, bands.low_nm(b), bands.high_nm(b)));
-    const auto known = std::find(classes.of_finish.begin(), classes.of_finish.end(), finishes);
+    const auto first = apart ? classes.of_finish.end() : classes.of_finish.begin();
+    const auto known = std::find(first, classes.of_finish.end(), finishes);
     classes.of_band.push_back(static_cast<std::size_t>(known - classes.of_finish.begin()));
     if (known == classes.of_finish.end()) classes.of_finish.push_back(std::move(finishes));
   }

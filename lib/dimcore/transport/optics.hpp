@@ -25,7 +25,8 @@ struct ReflectanceClasses {
     return of_finish[klass][static_cast<std::size_t>(finish)];
   }
 };
-ReflectanceClasses classify(const Zone& zone, const Bands& bands);
+/// @param apart  every band a class of its own, alike or not
+ReflectanceClasses classify(const Zone& zone, const Bands& bands, bool apart = false);
 
 /// The grid on which off-specular cells keep their light by direction: that of the network, coarsened by
 /// halves to at most some thousand patches.

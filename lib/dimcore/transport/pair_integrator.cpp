@@ -24,13 +24,14 @@ constexpr int kFaintRays = 2;
 }  // namespace
 
 PairIntegrator::PairIntegrator(const Zone& zone, const RayCaster& caster, const Emitter& emitter,
-                               double faint_lx, int n_probe_rays, std::uint64_t stream)
+                               double faint_lx, int n_probe_rays, std::uint64_t stream, bool in_the_way)
     : zone_(zone),
       caster_(caster),
       emitter_(emitter),
       luminaire_(emitter.luminaire),
       fitting_(*emitter.fitting),
       n_probe_rays_(n_probe_rays),
+      test_visibility_(in_the_way || !emitter.mirrors.empty()),
       stream_(mix(stream)),
       near_(kNear) {
   faint_ = luminaire_.factor > 0.0 ? faint_lx / luminaire_.factor : 0.0;
@@ -53,17 +54,31 @@ double PairIntegrator::mean(const Receiver& receiver, const Part& pair) const {
 PairIntegrator::Path PairIntegrator::path(const Receiver& receiver, const Part& pair,
                                           const std::array<double, 4>& x) const {
   Path path;
-  const Vec2 local(pair[0].at(x[0]), pair[1].at(x[1]));
   const Vec3 q = on_opening(pair[2].at(x[2]), pair[3].at(x[3]));
+  if (receiver.polygon == nullptr) {
+    path.at = receiver.frame->origin;
+    path.towards = glm::normalize(q - path.at);
+    const double lx = unshadowed(receiver, path.at, q);
+    if (lx > 0.0 && !blocked(path.at, q, receiver.skip)) path.lx = lx;
+    return path;
+  }
+  if (receiver.frame->height(q) <= caster_.tolerance_m()) return path;
+  // Evenly over the solid angle that the cell fills: what is near is not missed.
+  const Vec2 low(pair[0].low, pair[1].low), high(pair[0].high, pair[1].high);
+  const SphericalRectangle seen(*receiver.frame, low, high, q);
+  if (!(seen.solid_angle_sr() > 0.0)) return path;
+  const Vec2 local = seen.sample(x[0], x[1]);
   path.at = receiver.frame->to_world(local);
   path.towards = glm::normalize(q - path.at);
   if (!receiver.whole && !receiver.polygon->contains(local)) return path;
-  const double lx = unshadowed(receiver, path.at, q);
-  if (lx > 0.0 && !blocked(path.at, q, receiver.skip)) path.lx = lx;
+  const double cd = fitting_.intensity.at(luminaire_.to_local(path.at - q));
+  if (cd > 0.0 && !blocked(path.at, q, receiver.skip))
+    path.lx = cd * seen.solid_angle_sr() / (pair[0].length() * pair[1].length());
   return path;
 }
 
 bool PairIntegrator::blocked(const Vec3& receiver, const Vec3& on_opening, int skip) const {
+  if (!test_visibility_) return false;
   return emitter_.mirrors.empty() ? caster_.blocked(receiver, on_opening, skip)
                                   : path_blocked(zone_, caster_, emitter_, receiver, on_opening, skip);
 }
@@ -197,7 +212,7 @@ void PairIntegrator::probe(Probe& sum, int n, const Receiver& receiver, const Pa
 
 PairIntegrator::Sum PairIntegrator::leaf(const Receiver& receiver, const Part& part, const Smooth& expected,
                                          int halvings, Chance& chance) const {
-  if (receiver.whole && !(expected.mean > 0.0)) return {1.0, 0.0};
+  if (receiver.whole && (!test_visibility_ || !(expected.mean > 0.0))) return {1.0, expected.mean};
   const bool points = receiver.polygon == nullptr && opening_m_ == Vec2(0.0);
   int n = std::max(kMinProbeRays, n_probe_rays_ >> std::min(halvings, 4));
   if (!receiver.whole) n = std::max(n, n_probe_rays_);

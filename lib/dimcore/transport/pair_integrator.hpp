@@ -40,14 +40,17 @@ class PairIntegrator {
  public:
   /// @param faint_lx      pairs that bring less (where they are not near) are sampled coarsely
   /// @param n_probe_rays  that probe the visibility of a pair
+  /// @param in_the_way    false where nothing can be: visibility is not tested (mirrors' edges are)
   PairIntegrator(const Zone& zone, const RayCaster& caster, const Emitter& emitter, double faint_lx,
-                 int n_probe_rays, std::uint64_t stream);
+                 int n_probe_rays, std::uint64_t stream, bool in_the_way = true);
 
   /// Mean illuminance over the receiver with the luminaire's factor left out.
   double mean(const Receiver& receiver, const Part& pair) const;
 
   /// One path between receiver and opening, at four coordinates in [0, 1): where it comes in, and what
-  /// illuminance it brings, 0 if blocked or outside the cell.
+  /// illuminance it brings to the whole receiver, 0 if blocked or outside the cell. The mean over many is the
+  /// receiver's (times the cell's share of its rectangle). Cells are sampled by the solid angle they fill,
+  /// seen from the opening.
   struct Path {
     Vec3 at{0.0};       ///< on the receiver
     Vec3 towards{0.0};  ///< unit, to the emitter
@@ -103,6 +106,7 @@ class PairIntegrator {
   const Luminaire& luminaire_;
   const Fitting& fitting_;
   int n_probe_rays_;
+  bool test_visibility_;
   std::uint64_t stream_;
   Vec2 opening_m_{0.0};
   double faint_ = 0.0;

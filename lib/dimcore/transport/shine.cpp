@@ -149,7 +149,6 @@ std::size_t Shine::lobe_patch(std::size_t network_patch) const {
          network_patch % sectors / factor;
 }
 
-// Patch of a shiny cell's hemisphere where light that travels along `direction` comes in; 0 for other cells.
 std::uint32_t Shine::patch_in(std::size_t cell, const Vec3& direction) const {
   const std::size_t surface = cells_.surface_of(cell);
   if (of_surface_[surface] == Shininess::diffusing) return 0;
@@ -220,15 +219,16 @@ void Shine::follow_mirrors(RowLinks& links, const RowRays& rays, const PatchGrid
       seen_lobe(sink, ray.direction, 0);
       continue;
     }
-    const bool cut = follow(
-        ray, rays.skip(), caster,
-        [&](std::size_t cell, const Vec3& direction, const std::vector<double>& tint, int met) {
-          if (met == 0) return;
-          links.tints.insert(links.tints.end(), tint.begin(), tint.end());
-          const auto own = static_cast<std::uint32_t>(links.tints.size() / n_classes_ - 1);
-          links.mirror.push_back({static_cast<std::uint32_t>(patch), static_cast<std::uint32_t>(cell), own});
-          if (to_point && index_of_[cell] >= 0) seen_lobe(cell, direction, own);
-        });
+    const bool cut =
+        follow(ray, rays.skip(), caster,
+               [&](std::size_t cell, const Vec3& direction, const std::vector<double>& tint, int met) {
+                 if (met == 0) return;
+                 links.tints.insert(links.tints.end(), tint.begin(), tint.end());
+                 const auto own = static_cast<std::uint32_t>(links.tints.size() / n_classes_ - 1);
+                 links.mirror.push_back({static_cast<std::uint32_t>(patch), static_cast<std::uint32_t>(cell),
+                                         patch_in(cell, direction), own});
+                 if (to_point && index_of_[cell] >= 0) seen_lobe(cell, direction, own);
+               });
     if (cut) links.cut_off += w / kPi;
   }
 }

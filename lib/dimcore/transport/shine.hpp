@@ -27,8 +27,9 @@ class Shine {
  public:
   /// Light of a cell (its diffuse part) that a receiver sees by way of mirrors.
   struct MirrorLink {
-    std::uint32_t patch;  ///< of the receiver's row
-    std::uint32_t cell;   ///< seen
+    std::uint32_t patch;     ///< of the receiver's row
+    std::uint32_t cell;      ///< seen
+    std::uint32_t patch_in;  ///< of its lobe grid, where light that goes the other way comes in
     std::uint32_t tint;
   };
   /// Light of an off-specular cell that reaches a receiver: of psi[state] the share `weight` (flux per area
@@ -62,6 +63,10 @@ class Shine {
   /// Patch of the lobe grid that a patch of the network's lies in.
   std::size_t lobe_patch(std::size_t network_patch) const;
 
+  /// Patch of a shiny cell's lobe grid where light that travels along `direction` comes in; 0 for other
+  /// cells.
+  std::uint32_t patch_in(std::size_t cell, const Vec3& direction) const;
+
   /// Links of receiver i: cells, then measuring points.
   const std::vector<std::uint64_t>& mirror_first() const { return mirror_first_; }
   const std::vector<MirrorLink>& mirror_links() const { return mirror_links_; }
@@ -70,6 +75,10 @@ class Shine {
   /// Factor of a tint in a class; tint 0 is 1.
   double tint(std::uint32_t tint, std::size_t klass) const { return tints_[tint * n_classes_ + klass]; }
 
+  /// k_s F of a mirror.
+  double mirror_reflectance(std::size_t klass, int finish, double cos_incidence) const {
+    return classes_.at(klass, finish).fresnel(cos_incidence);
+  }
   const LobeMatrix& lobe(std::size_t klass, int finish) const { return *lobes_[klass][at(finish)]; }
   const AlbedoTable& albedo(std::size_t klass, int finish) const { return *albedos_[klass][at(finish)]; }
   /// Mean albedo of each slice of the lobe grid.
@@ -96,7 +105,6 @@ class Shine {
   template <class MakeRow>
   std::vector<RowLinks> rows(std::size_t n, const Job& job, MakeRow&& make_row) const;
   std::uint32_t keep_tints(const RowLinks& row);
-  std::uint32_t patch_in(std::size_t cell, const Vec3& direction) const;
   std::uint32_t state_towards(std::size_t cell, const Vec3& direction) const;
   double lobe_share(const PatchGrid& patches, std::size_t patch, std::size_t lobe_patch) const;
 

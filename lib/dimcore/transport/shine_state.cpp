@@ -223,4 +223,11 @@ void ShineState::copy_psi(std::vector<float>& psi) const {
   }
 }
 
+void ShineState::set_psi(const std::vector<float>& psi) {
+  for (std::size_t s = 0; s < shine_.n_states(); ++s) {
+    for (std::size_t c = 0; c < n_; ++c)
+      psi_[s * width_ + c] = static_cast<double>(psi[s * n_columns_ + first_ + c]);
+  }
+}
+
 }  // namespace dim

@@ -45,6 +45,7 @@ class ShineState {
 
   /// [n_states, n_columns] of the whole problem, this block's columns written.
   void copy_psi(std::vector<float>& psi) const;
+  void set_psi(const std::vector<float>& psi);
 
  private:
   void incoming(std::size_t cell, const std::vector<double>& exitance, std::vector<double>& phi) const;

@@ -221,11 +221,56 @@ std::vector<FirstFlight> source_flights(const Zone& zone, const Network& network
 
 }  // namespace
 
+namespace {
+
+ModelPlan make_plan(const Zone& zone, const Cells& cells, const Network& network, const Lights& lights,
+                    const ReflectanceClasses& classes, const Shine& shine, std::size_t n_sources,
+                    std::size_t n_images, bool in_the_way) {
+  ModelPlan plan;
+  std::vector<bool> named(zone.finishes.size(), false);
+  for (std::size_t s = 0; s < zone.surfaces.size(); ++s) {
+    const auto finish = static_cast<std::size_t>(zone.surfaces[s].finish);
+    if (named[finish] || zone.surfaces[s].outside) continue;
+    named[finish] = true;
+    auto& list = shine.of_surface(s) == Shininess::diffusing
+                     ? plan.diffusing
+                     : (shine.of_surface(s) == Shininess::mirror ? plan.mirrors : plan.off_specular);
+    list.push_back(zone.finishes[finish].name);
+  }
+  std::vector<const SpectralCurve*> spectra;
+  for (const auto& fitting : lights.fittings) {
+    if (!fitting.has_spectrum) plan.without_spectrum.push_back(fitting.name);
+    if (std::none_of(spectra.begin(), spectra.end(), [&](const SpectralCurve* known) {
+          return known->points() == fitting.spectrum.points();
+        }))
+      spectra.push_back(&fitting.spectrum);
+  }
+  plan.n_luminaires = lights.luminaires.size();
+  plan.n_sources = n_sources;
+  plan.n_spectra = spectra.size();
+  plan.n_bands = classes.of_band.size();
+  plan.n_classes = classes.size();
+  plan.n_off_specular_cells = shine.n_off_specular();
+  plan.n_lobe_patches = shine.grid().n_patches();
+  plan.n_images = n_images;
+  plan.tests_visibility = in_the_way;
+  plan.bytes_per_sink = network.sinks.wide() ? 4 : 2;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    bool black = shine.of_cell(i) == Shininess::diffusing;
+    for (std::size_t q = 0; q < classes.size() && black; ++q)
+      black = classes.at(q, zone.surfaces[cells.surface_of(i)].finish).diffuse == 0.0;
+    plan.n_black_cells += black;
+  }
+  return plan;
+}
+
+}  // namespace
+
 Solution simulate(const Zone& zone, const Cells& cells, const Network& network, const Lights& lights,
                   const SimulationOptions& options, const Job& job, Warnings& warnings) {
   check_finishes(zone, options.bands);
   Sources sources = make_sources(lights, options.bands, options.combine);
-  const ReflectanceClasses classes = classify(zone, options.bands);
+  const ReflectanceClasses classes = classify(zone, options.bands, options.solve_every_band);
   const std::size_t n_sources = sources.sources.size(), n_classes = classes.size();
   const std::size_t n_columns = n_sources * n_classes;
   check_size(cells.size(), zone.points.size(), n_sources, n_classes, options.bands.size(), job);
@@ -234,8 +279,10 @@ Solution simulate(const Zone& zone, const Cells& cells, const Network& network, 
   const Shine shine(zone, cells, network, classes, obstructions.caster(), kRayMirrorDepth, job);
   check_shine_size(shine, n_columns, n_sources * options.bands.size(), job);
   const auto flights = source_flights(zone, network, lights, sources, job, warnings);
-  DirectColumns direct = direct_columns(zone, cells, lights, classes, shine, obstructions.caster(),
-                                        sources.of_luminaire, n_sources, options.mirror_depth, job);
+  const bool in_the_way = options.always_test_visibility || !is_convex_and_empty(zone, lights);
+  DirectColumns direct =
+      direct_columns(zone, cells, lights, classes, shine, obstructions.caster(), sources.of_luminaire,
+                     n_sources, options.mirror_depth, in_the_way, job);
   std::vector<double> reflectance(zone.surfaces.size() * n_columns);
   std::vector<std::size_t> class_of_column(n_columns);
   for (std::size_t c = 0; c < n_columns; ++c) class_of_column[c] = c / n_sources;
@@ -249,8 +296,12 @@ Solution simulate(const Zone& zone, const Cells& cells, const Network& network, 
     return by_class ? values : repeat_columns(values, n_sources, n_classes);
   };
   const GatherShine gather_shine{shine, zone, direct.shine, class_of_column};
-  Gathered gathered = gather(network, cells, in_columns(direct.cell), in_columns(direct.point), reflectance,
-                             n_columns, options.gather, job, shine.any() ? &gather_shine : nullptr);
+  const auto* shiny = shine.any() ? &gather_shine : nullptr;
+  Gathered gathered = options.solver == Solver::gather
+                          ? gather(network, cells, in_columns(direct.cell), in_columns(direct.point),
+                                   reflectance, n_columns, options.gather, job, shiny)
+                          : track(zone, network, cells, in_columns(direct.cell), in_columns(direct.point),
+                                  reflectance, n_columns, options.track, job, shiny);
   for (std::size_t c = 0; c < n_columns && shine.any(); ++c) {
     gathered.columns[c].absorbed -= direct.shine.mirrored[c] + direct.shine.not_followed[c];
     gathered.columns[c].dropped += direct.shine.not_followed[c];
@@ -262,6 +313,8 @@ Solution simulate(const Zone& zone, const Cells& cells, const Network& network, 
   solution.n_cells = cells.size();
   solution.n_points = zone.points.size();
   solution.n_reflectance_classes = n_classes;
+  solution.plan =
+      make_plan(zone, cells, network, lights, classes, shine, n_sources, direct.n_images, in_the_way);
   Assembly assembly(solution, classes);
   solution.cell_direct = assembly.spread(direct.cell, cells.size(), direct.n_columns, by_class);
   solution.point_direct = assembly.spread(direct.point, zone.points.size(), direct.n_columns, by_class);

@@ -9,16 +9,25 @@
 #include "network/network.hpp"
 #include "scene/lights.hpp"
 #include "spectrum/bands.hpp"
-#include "transport/gather.hpp"
+#include "transport/plan.hpp"
+#include "transport/track.hpp"
 
 namespace dim {
 
 enum class Combine { each, group, all };
 
+enum class Solver { gather, track };
+
 struct SimulationOptions {
   Bands bands;
   Combine combine = Combine::each;
   GatherOptions gather;
+  Solver solver = Solver::gather;
+  TrackOptions track;
+  /// Savings not to be made (see `ModelPlan`): test visibility even where nothing can be in the way; solve
+  /// each band even where bands reflect alike.
+  bool always_test_visibility = false;
+  bool solve_every_band = false;
   int mirror_depth = 3;  ///< mirrors one after the other that luminaires are imaged in
 };
 
@@ -66,6 +75,7 @@ struct Solution {
   std::vector<float> point_direct, point_total;
   std::size_t n_reflectance_classes = 0;
   Directional directional;
+  ModelPlan plan;
 
   std::size_t cell_row(std::size_t source, std::size_t band) const {
     return (source * bands.size() + band) * n_cells;

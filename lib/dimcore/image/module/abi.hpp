@@ -9,24 +9,35 @@
 extern "C" {
 
 /// To be raised with every change below; the loader refuses another number.
-enum { kDimImageAbi = 1 };
+enum { kDimImageAbi = 2 };
 
 enum DimImageStatus : std::int32_t { kDimImageOk = 0, kDimImageFailed = 1, kDimImageBroken = 2 };
 
 enum DimImageFormat : std::int32_t { kDimImagePng = 1, kDimImageRadiance = 2, kDimImageExr = 3 };
 
+/// A text that goes into the file under a name.
+struct DimImageAttribute {
+  const char* name;
+  const char* value;
+};
+
 struct DimImagePicture {
   std::int32_t format;  ///< a DimImageFormat
   std::int32_t width, height;
-  std::int32_t n_channels;       ///< PNG, Radiance: 3; OpenEXR: 3 or 4 (R, G, B, luminance)
-  const std::uint8_t* coded;     ///< PNG: [height][width][3]
-  const float* linear;           ///< Radiance, OpenEXR: [height][width][n_channels]
-  double primaries_xy[8];        ///< red, green, blue, white
-  double white_luminance_cd_m2;  ///< OpenEXR: luminance of R = G = B = 1
-  const char* unit;              ///< OpenEXR: attribute `unit`
-  const char* software;          ///< name and version of the program
-  const char* description;       ///< one line; may be empty
-  const char* view;              ///< Radiance: what follows VIEW=; may be empty
+  std::int32_t n_channels;                ///< PNG, Radiance: 3; OpenEXR: 3 or 4 (R, G, B, luminance)
+  const std::uint8_t* coded;              ///< PNG: [height][width][3]
+  const float* linear;                    ///< Radiance, OpenEXR: [height][width][n_channels]
+  double primaries_xy[8];                 ///< red, green, blue, white
+  double white_luminance_cd_m2;           ///< OpenEXR: luminance of R = G = B = 1
+  const char* unit;                       ///< OpenEXR: attribute `unit`
+  std::int32_t n_more_channels;           ///< OpenEXR: channels beside those, 0 for none
+  const char* const* more_channel_names;  ///< [n_more_channels]
+  const float* more;                      ///< [height][width][n_more_channels]
+  std::int32_t n_attributes;              ///< OpenEXR: further texts, 0 for none
+  const DimImageAttribute* attributes;    ///< [n_attributes]
+  const char* software;                   ///< name and version of the program
+  const char* description;                ///< one line; may be empty
+  const char* view;                       ///< Radiance: what follows VIEW=; may be empty
 };
 
 /// Takes bytes of the file in order. @returns 0, or another number to stop.

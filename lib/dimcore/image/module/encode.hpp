@@ -17,7 +17,7 @@ std::vector<std::uint8_t> encode_png(const DimImagePicture& picture);
 std::vector<std::uint8_t> encode_radiance(const DimImagePicture& picture);
 
 /// OpenEXR, 32-bit float, ZIP; channels R, G, B and, with four, luminance.Y; attributes chromaticities,
-/// whiteLuminance, adoptedNeutral, unit, software, comments.
+/// whiteLuminance, adoptedNeutral, unit, software, comments; then the further channels and attributes.
 std::vector<std::uint8_t> encode_exr(const DimImagePicture& picture);
 
 }  // namespace dim::image_module

@@ -44,6 +44,9 @@ Imf::Header make_header(const DimImagePicture& picture) {
   for (std::size_t c = 0; c < static_cast<std::size_t>(picture.n_channels); ++c) {
     header.channels().insert(kChannels.at(c), Imf::Channel(Imf::FLOAT));
   }
+  for (int c = 0; c < picture.n_more_channels; ++c) {
+    header.channels().insert(picture.more_channel_names[c], Imf::Channel(Imf::FLOAT));
+  }
   const auto point = [&](int i) {
     return Imath::V2f(static_cast<float>(picture.primaries_xy[2 * i]),
                       static_cast<float>(picture.primaries_xy[2 * i + 1]));
@@ -54,7 +57,18 @@ Imf::Header make_header(const DimImagePicture& picture) {
   if (*picture.description) Imf::addComments(header, picture.description);
   header.insert("unit", Imf::StringAttribute(picture.unit));
   header.insert("software", Imf::StringAttribute(picture.software));
+  for (int i = 0; i < picture.n_attributes; ++i) {
+    header.insert(picture.attributes[i].name, Imf::StringAttribute(picture.attributes[i].value));
+  }
   return header;
+}
+
+// Channel `c` of pixels that hold n_channels values each. The library reads through this pointer only, but
+// its interface is not const.
+Imf::Slice slice_of(const float* pixels, int c, int n_channels, int width) {
+  const std::size_t pixel_stride = sizeof(float) * static_cast<std::size_t>(n_channels);
+  return {Imf::FLOAT, reinterpret_cast<char*>(const_cast<float*>(pixels + c)), pixel_stride,
+          pixel_stride * static_cast<std::size_t>(width)};
 }
 
 }  // namespace
@@ -62,16 +76,17 @@ Imf::Header make_header(const DimImagePicture& picture) {
 std::vector<std::uint8_t> encode_exr(const DimImagePicture& picture) {
   if (picture.n_channels < 3 || picture.n_channels > 4)
     throw std::logic_error("OpenEXR picture: 3 or 4 channels");
-  const std::size_t pixel_stride = sizeof(float) * static_cast<std::size_t>(picture.n_channels);
-  const std::size_t row_stride = pixel_stride * static_cast<std::size_t>(picture.width);
   MemoryStream stream;
   {
     Imf::OutputFile file(stream, make_header(picture));
     Imf::FrameBuffer frame;
-    for (std::size_t c = 0; c < static_cast<std::size_t>(picture.n_channels); ++c) {
-      // The library reads through this pointer only, but its interface is not const.
-      auto* first = reinterpret_cast<char*>(const_cast<float*>(picture.linear + c));
-      frame.insert(kChannels.at(c), Imf::Slice(Imf::FLOAT, first, pixel_stride, row_stride));
+    for (int c = 0; c < picture.n_channels; ++c) {
+      frame.insert(kChannels.at(static_cast<std::size_t>(c)),
+                   slice_of(picture.linear, c, picture.n_channels, picture.width));
+    }
+    for (int c = 0; c < picture.n_more_channels; ++c) {
+      frame.insert(picture.more_channel_names[c],
+                   slice_of(picture.more, c, picture.n_more_channels, picture.width));
     }
     file.setFrameBuffer(frame);
     file.writePixels(picture.height);

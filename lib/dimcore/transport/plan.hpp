@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/lights.hpp"
+#include "scene/zone.hpp"
+
+namespace dim {
+
+/// What the model leaves out because the scene does not require it, physics.md section 7. Each saving can be
+/// turned off (see SimulationOptions); the answer stays.
+struct ModelPlan {
+  std::vector<std::string> diffusing, off_specular, mirrors;  ///< finishes of surfaces, by class
+  std::size_t n_luminaires = 0, n_sources = 0, n_spectra = 0;
+  std::vector<std::string> without_spectrum;  ///< fittings that count as equal-energy white
+  std::size_t n_bands = 0, n_classes = 0;
+  std::size_t n_off_specular_cells = 0, n_lobe_patches = 0;
+  std::size_t n_images = 0;  ///< of luminaires in mirrors
+  bool tests_visibility = true;
+  std::size_t bytes_per_sink = 2;
+  std::size_t n_black_cells = 0;  ///< reflect nothing: nothing is sent from them
+};
+
+/// Whether no surface can come between two points of the zone, luminaires included: closed, bounding surfaces
+/// only, none with a corner behind another's plane, no body of a luminaire, no luminaire outside.
+bool is_convex_and_empty(const Zone& zone, const Lights& lights);
+
+}  // namespace dim

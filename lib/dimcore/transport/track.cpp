@@ -1,0 +1,245 @@
+#include "transport/track.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "network/ray_pattern.hpp"
+
+namespace dim {
+namespace {
+
+// One column being tracked.
+class Tracker {
+ public:
+  Tracker(const Zone& zone, const Network& network, const Cells& cells, const std::vector<double>& direct,
+          const std::vector<double>& reflectance, std::size_t n_columns, std::size_t column,
+          const GatherShine* shine)
+      : zone_(zone),
+        network_(network),
+        cells_(cells),
+        reflectance_(reflectance),
+        n_columns_(n_columns),
+        column_(column),
+        shine_(shine ? &shine->shine : nullptr),
+        class_(shine ? shine->class_of_column[column] : 0),
+        received_(cells.size(), 0.0),
+        pending_(cells.size(), 0.0),
+        on_stack_(cells.size(), false) {
+    if (shine_) {
+      coming_.assign(shine_->n_states(), 0.0);
+      going_.assign(shine_->n_states(), 0.0);
+      psi_.assign(shine_->n_states(), 0.0);
+      for (std::size_t s = 0; s < going_.size(); ++s)
+        going_[s] = static_cast<double>(shine->direct.psi[s * n_columns + column]) *
+                    cells.area_m2(shine_->off_specular()[s / n_patches()]);
+      for (std::size_t g = 0; g < shine_->n_off_specular(); ++g) {
+        const auto& albedo = shine_->slice_albedo(class_, finish(shine_->off_specular()[g]));
+        largest_albedo_.push_back(*std::max_element(albedo.begin(), albedo.end()));
+        const auto begin = going_.begin() + static_cast<std::ptrdiff_t>(g * n_patches());
+        going_sum_.push_back(std::accumulate(begin, begin + static_cast<std::ptrdiff_t>(n_patches()), 0.0));
+      }
+    }
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      received_[i] = pending_[i] = cells.area_m2(i) * direct[i * n_columns + column];
+      source_flux_ += received_[i];
+    }
+  }
+
+  void run(double threshold, const Job& job) {
+    least_ = threshold * source_flux_;
+    for (std::size_t i = 0; i < cells_.size(); ++i) consider(i);
+    while (!stack_.empty()) {
+      if (++n_sent_ % 1024 == 0) job.check();
+      const std::size_t cell = stack_.back();
+      stack_.pop_back();
+      on_stack_[cell] = false;
+      send(cell);
+    }
+  }
+
+  ColumnReport report() const {
+    ColumnReport report;
+    report.iterations = static_cast<int>(n_sent_ / 1000);
+    report.received = source_flux_;
+    report.escaped = escaped_;
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      report.absorbed += received_[i] * (1.0 - rho(i));
+      report.dropped += unsent(i);
+    }
+    report.absorbed -= mirrored_ + lobed_;
+    report.residual = source_flux_ > 0.0 ? report.dropped / source_flux_ : 0.0;
+    report.error_bound = report.residual;
+    return report;
+  }
+
+  double irradiance(std::size_t cell) const { return received_[cell] / cells_.area_m2(cell); }
+  double psi(std::size_t state) const {
+    return psi_[state] / cells_.area_m2(shine_->off_specular()[state / n_patches()]);
+  }
+
+ private:
+  std::size_t n_patches() const { return shine_->grid().n_patches(); }
+  int finish(std::size_t cell) const { return zone_.surfaces[cells_.surface_of(cell)].finish; }
+  double rho(std::size_t cell) const { return reflectance_[cells_.surface_of(cell) * n_columns_ + column_]; }
+  bool has_lobe(std::size_t cell) const { return shine_ && shine_->index_of(cell) >= 0; }
+  std::size_t first_state(std::size_t cell) const {
+    return static_cast<std::size_t>(shine_->index_of(cell)) * n_patches();
+  }
+
+  // What a cell has yet to send.
+  double unsent(std::size_t cell) const {
+    double sum = rho(cell) * pending_[cell];
+    if (!has_lobe(cell)) return sum;
+    const auto& albedo = shine_->slice_albedo(class_, finish(cell));
+    const auto n_sectors = static_cast<std::size_t>(shine_->grid().n_sectors);
+    for (std::size_t p = 0; p < n_patches(); ++p)
+      sum += going_[first_state(cell) + p] + coming_[first_state(cell) + p] * albedo[p / n_sectors];
+    return sum;
+  }
+
+  void consider(std::size_t cell) {
+    double most = rho(cell) * pending_[cell];
+    if (has_lobe(cell)) {
+      const auto g = static_cast<std::size_t>(shine_->index_of(cell));
+      most += largest_albedo_[g] * pending_[cell] + going_sum_[g];
+    }
+    if (on_stack_[cell] || !(most > least_)) return;
+    on_stack_[cell] = true;
+    stack_.push_back(cell);
+  }
+
+  void land(std::size_t cell, double flux, std::size_t patch_in) {
+    received_[cell] += flux;
+    pending_[cell] += flux;
+    if (has_lobe(cell)) coming_[first_state(cell) + patch_in] += flux;
+    consider(cell);
+  }
+
+  void send(std::size_t cell) {
+    const auto& patches = network_.patches;
+    const auto n_sectors = static_cast<std::size_t>(patches.n_sectors);
+    const double diffuse = rho(cell) * pending_[cell];
+    pending_[cell] = 0.0;
+    const std::vector<double> lobe = has_lobe(cell) ? take_lobe(cell) : std::vector<double>();
+    auto link = shine_ ? shine_->mirror_first()[cell] : 0;
+    const auto last_link = shine_ ? shine_->mirror_first()[cell + 1] : 0;
+    for (std::size_t patch = 0; patch < patches.n_patches(); ++patch) {
+      const double w = patches.weight_sr(static_cast<int>(patch / n_sectors));
+      double flux = diffuse * w / kPi;
+      if (!lobe.empty()) {
+        const std::size_t of = shine_->lobe_patch(patch);
+        const auto& grid = shine_->grid();
+        flux +=
+            lobe[of] * w / grid.weight_sr(static_cast<int>(of / static_cast<std::size_t>(grid.n_sectors)));
+      }
+      while (link < last_link && shine_->mirror_links()[link].patch < patch) ++link;
+      if (!(flux > 0.0)) continue;
+      const std::size_t sink = network_.sinks.at(cell, patch);
+      if (sink >= cells_.size()) {
+        escaped_ += flux;
+        continue;
+      }
+      land(sink, flux, has_lobe(sink) ? arrival_patch(cell, patch, sink) : 0);
+      if (shine_ && shine_->of_cell(sink) == Shininess::mirror)
+        go_on(cell, patch, sink, flux, link, last_link);
+    }
+    if (!network_.has_family()) return;
+    for (auto e = network_.extra.first[cell]; e < network_.extra.first[cell + 1]; ++e)
+      land(network_.extra.cell[e], diffuse * network_.extra.weight[e], 0);
+  }
+
+  // A ray that came down on a mirror: each landing is given its tint's part of the flux.
+  void go_on(std::size_t cell, std::size_t patch, std::size_t mirror, double flux, std::uint64_t link,
+             std::uint64_t last_link) {
+    const auto& links = shine_->mirror_links();
+    const double reflected = flux * mirror_share(cell, patch, mirror);
+    mirrored_ += reflected;
+    if (link == last_link || links[link].patch != patch) escaped_ += reflected;
+    for (; link < last_link && links[link].patch == patch; ++link) {
+      land(links[link].cell, flux * shine_->tint(links[link].tint, class_), links[link].patch_in);
+      if (link + 1 < last_link && links[link + 1].patch == patch)
+        mirrored_ += flux * shine_->tint(links[link + 1].tint, class_);
+    }
+  }
+
+  double mirror_share(std::size_t cell, std::size_t patch, std::size_t mirror) const {
+    const Ray ray =
+        RowRays(zone_, cells_, cell, network_.sampling, network_.seed).ray(network_.patches, patch);
+    const auto& surface = zone_.surfaces[cells_.surface_of(mirror)];
+    return shine_->mirror_reflectance(
+        class_, surface.finish, std::clamp(-glm::dot(ray.direction, surface.polygon.frame().n), 0.0, 1.0));
+  }
+
+  std::size_t arrival_patch(std::size_t cell, std::size_t patch, std::size_t sink) const {
+    const Ray ray =
+        RowRays(zone_, cells_, cell, network_.sampling, network_.seed).ray(network_.patches, patch);
+    return shine_->patch_in(sink, ray.direction);
+  }
+
+  // All flux that the cell's lobe has yet to send, by patch.
+  std::vector<double> take_lobe(std::size_t cell) {
+    const std::size_t first = first_state(cell), n = n_patches();
+    const auto n_sectors = static_cast<std::size_t>(shine_->grid().n_sectors);
+    const auto begin = going_.begin() + static_cast<std::ptrdiff_t>(first);
+    std::vector<double> out(begin, begin + static_cast<std::ptrdiff_t>(n));
+    std::fill_n(begin, n, 0.0);
+    going_sum_[first / n] = 0.0;
+    const LobeMatrix& lobe = shine_->lobe(class_, finish(cell));
+    for (std::size_t p = 0; p < n; ++p) {
+      const double flux = std::exchange(coming_[first + p], 0.0);
+      if (flux == 0.0) continue;
+      const int slice = static_cast<int>(p / n_sectors);
+      for (const auto* entry = lobe.begin(slice); entry != lobe.end(slice); ++entry)
+        out[entry->slice_out * n_sectors + (p % n_sectors + entry->turn) % n_sectors] += entry->share * flux;
+    }
+    for (std::size_t p = 0; p < n; ++p) {
+      psi_[first + p] += out[p];
+      lobed_ += out[p];
+    }
+    return out;
+  }
+
+  const Zone& zone_;
+  const Network& network_;
+  const Cells& cells_;
+  const std::vector<double>& reflectance_;
+  std::size_t n_columns_, column_;
+  const Shine* shine_;
+  std::size_t class_;
+  std::vector<double> received_, pending_;  // flux
+  std::vector<double> coming_, going_,
+      psi_;  // [n_states] flux: to be reflected, reflected and to be sent, sent
+  std::vector<double> going_sum_, largest_albedo_;  // [n_off_specular]
+  std::vector<bool> on_stack_;
+  std::vector<std::size_t> stack_;
+  double source_flux_ = 0.0, least_ = 0.0, escaped_ = 0.0, mirrored_ = 0.0, lobed_ = 0.0;
+  std::size_t n_sent_ = 0;
+};
+
+}  // namespace
+
+Gathered track(const Zone& zone, const Network& network, const Cells& cells,
+               const std::vector<double>& direct, const std::vector<double>& point_direct,
+               const std::vector<double>& reflectance, std::size_t n_columns, const TrackOptions& options,
+               const Job& job, const GatherShine* shine) {
+  Gathered result;
+  result.cell.resize(cells.size() * n_columns);
+  result.columns.resize(n_columns);
+  if (shine) result.psi.resize(shine->shine.n_states() * n_columns);
+  tbb::parallel_for(std::size_t{0}, n_columns, [&](std::size_t c) {
+    Tracker tracker(zone, network, cells, direct, reflectance, n_columns, c, shine);
+    tracker.run(options.threshold, job);
+    result.columns[c] = tracker.report();
+    for (std::size_t i = 0; i < cells.size(); ++i) result.cell[i * n_columns + c] = tracker.irradiance(i);
+    for (std::size_t s = 0; s * n_columns < result.psi.size(); ++s)
+      result.psi[s * n_columns + c] = static_cast<float>(tracker.psi(s));
+  });
+  result.point =
+      gather_points(network, cells, result.cell, result.psi, point_direct, reflectance, n_columns, shine);
+  return result;
+}
+
+}  // namespace dim

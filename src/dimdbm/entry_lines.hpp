@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "database/fitting_entry.hpp"
+#include "database/search.hpp"
+#include "dimdbm/entries.hpp"
+
+namespace dim {
+
+struct EntryName {
+  std::string kind;  ///< kFittings or kSurfaces
+  std::string name;
+  std::string path;
+};
+
+/// All entries of a kind, or of both for "all".
+std::vector<EntryName> entries_of(const DatabaseSearch& search, const std::string& kind_wanted);
+
+/// What list and check say of an entry; NaN and empty where a figure does not apply.
+struct EntryLine {
+  std::string kind;  ///< fitting, opaque, glazing; surface where it cannot be read
+  std::string colour, spectrum_name, source;
+  std::string problem;  ///< why it cannot be read, or what check finds
+  double flux_lm = NAN, max_cd = NAN, watts = NAN, cct_K = NAN;
+  double share = NAN;  ///< luminous reflectance or transmittance
+};
+
+/// Reads all entries, several at once; an entry that cannot be read has a problem in place of figures.
+/// @param checked  looks for what check looks for
+std::vector<EntryLine> read_lines(const std::vector<EntryName>& entries, bool checked);
+
+/// The name of an entry's spectrum, "table" or "equal energy".
+std::string spectrum_words(const FittingEntry& entry);
+
+/// Correlated colour temperature, K; NaN where there is none.
+double cct_of(const SpectralCurve& spectrum);
+
+}  // namespace dim

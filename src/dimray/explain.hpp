@@ -1,0 +1,11 @@
+#pragma once
+
+#include "common/program.hpp"
+#include "transport/plan.hpp"
+
+namespace dim {
+
+/// Says what the scene required of the model, one line a decision.
+void explain(Program& program, const ModelPlan& plan);
+
+}  // namespace dim
