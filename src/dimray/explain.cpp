@@ -25,7 +25,8 @@ void explain(Program& program, const ModelPlan& plan) {
   say(plan.n_classes < plan.n_bands
           ? fmt::format("{} bands, of which {} reflect differently: {} solved (--full bands)", plan.n_bands,
                         plan.n_classes, plan.n_classes)
-          : fmt::format("{} bands, solved apart", plan.n_bands));
+          : (plan.n_bands == 1 ? std::string("1 band")
+                               : fmt::format("{} bands, solved apart", plan.n_bands)));
   say(fmt::format("{} luminaires in {} sources (--combine), {} spectra", plan.n_luminaires, plan.n_sources,
                   plan.n_spectra));
   if (!plan.without_spectrum.empty())

@@ -170,6 +170,16 @@ TEST_CASE("A lobe lights a point as the quadrature of its distribution says", "[
   }
 }
 
+TEST_CASE("What a mirror sends out of an open zone has escaped", "[shine][unit]") {
+  Zone zone = room(0.5);
+  make_mirror(zone, kFloor, 0.9);
+  zone.surfaces.resize(1);
+  const auto solution = solve(zone, point_lamp({-0.7, 0.2, 0.6}, 100.0), network_of(zone, {8, 16}));
+  const auto& energy = solution.sources[0].energy[0];
+  CHECK(energy.escaped_W == Approx(energy.emitted_W - energy.absorbed_W).epsilon(1e-2));
+  CHECK(worst_imbalance(solution) < 1e-2);
+}
+
 TEST_CASE("Energy closes with lobes, mirrors and both", "[shine][unit]") {
   const int kind = GENERATE(0, 1, 2, 3);
   Zone zone = room(0.6);
@@ -215,11 +225,11 @@ TEST_CASE("Gathering and tracking agree", "[shine][track][unit]") {
 }
 
 TEST_CASE("What is dropped by tracking falls with the threshold", "[track][unit]") {
-  const Zone zone = room(0.7, 0.5);
-  const Network network = network_of(zone, {8, 16});
+  const Zone zone = room(0.5, 0.5);
+  const Network network = network_of(zone, {4, 8});
   const auto lights = point_lamp({-0.7, 0.2, 0.6}, 100.0);
   double before = 1.0;
-  for (const double threshold : {1e-3, 1e-4, 1e-6, 1e-9}) {
+  for (const double threshold : {1e-2, 1e-3, 1e-4, 1e-5}) {
     SimulationOptions options;
     options.solver = Solver::track;
     options.track.threshold = threshold;
@@ -228,7 +238,7 @@ TEST_CASE("What is dropped by tracking falls with the threshold", "[track][unit]
     before = solution.sources[0].residual;
     CHECK(worst_imbalance(solution) < 1e-3);
   }
-  CHECK(before < 1e-6);
+  CHECK(before < 5e-3);
 }
 
 TEST_CASE("A lobe without light is no lobe, and a narrow one a mirror", "[shine][unit]") {

@@ -56,6 +56,7 @@ std::string refusal(const std::function<void(nlohmann::json&)>& change, const st
   file.dataset<double>("/cells/area", area, {area.size()}, "m2");
   file.dataset<float>("/cells/total", solution.cell_total, {1, 1, 6}, "W/m2");
   file.dataset<float>("/points/total", solution.point_total, {1, 1, 0}, "W/m2");
+  file.dataset<float>("/photometry/intensity", std::vector<float>(73 * 181, 1.0F), {1, 73, 181}, "cd");
   std::move(file).write(path);
   return io_error([&] {
     const LuminanceDatabase database(path);

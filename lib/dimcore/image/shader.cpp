@@ -33,8 +33,8 @@ Ring3 outline(const ShownLuminaire& luminaire) {
 Lights lights_of(const LuminanceDatabase& database) {
   Lights lights;
   for (const auto& intensity : database.intensities()) {
-    lights.fittings.push_back(
-        {"", intensity, LuminousOpening{}, intensity.flux_lm(), SpectralCurve(1.0), false, "", 0.0, std::nullopt});
+    lights.fittings.push_back({"", intensity, LuminousOpening{}, intensity.flux_lm(), SpectralCurve(1.0),
+                               false, "", 0.0, std::nullopt});
   }
   for (const auto& shown : database.luminaires()) {
     Luminaire luminaire;
@@ -154,9 +154,15 @@ void Shader::add_direct(std::size_t surface, const Vec2& local, std::uint64_t ch
       const auto path = integrators_[e].path(receiver, point, points(static_cast<std::uint64_t>(i)));
       if (!(path.lx > 0.0)) continue;
       const Vec3 in = frame.direction_to_local(path.towards);
-      for (std::size_t b = 0; b < tint.size(); ++b)
-        lobe[first + b] += path.lx / n_paths * tint[b] * channels_.watts_per_lumen(first + b) *
-                           specular_brdf(reflection_[finish][b], *facets_[finish], in, *towards);
+      const LobeValue seen = lobe_value(*facets_[finish], in, *towards);
+      if (!(seen.value > 0.0)) continue;
+      double share = 0.0;
+      for (std::size_t b = 0; b < tint.size(); ++b) {
+        const BandReflection& reflection = reflection_[finish][b];
+        if (b == 0 || !(reflection == reflection_[finish][b - 1])) share = reflection.fresnel(seen.facing);
+        lobe[first + b] +=
+            path.lx / n_paths * tint[b] * channels_.watts_per_lumen(first + b) * seen.value * share;
+      }
     }
   }
 }

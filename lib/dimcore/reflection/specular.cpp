@@ -29,15 +29,20 @@ FacetDistribution facet_distribution(const Finish& finish) {
   return finish.distribution == "beckmann" ? FacetDistribution::beckmann : FacetDistribution::gaussian;
 }
 
-double specular_brdf(const BandReflection& reflection, const Facets& facets, const Vec3& in,
-                     const Vec3& out) {
-  if (!(in.z > 0.0) || !(out.z > 0.0)) return 0.0;
+LobeValue lobe_value(const Facets& facets, const Vec3& in, const Vec3& out) {
+  if (!(in.z > 0.0) || !(out.z > 0.0)) return {};
   const Vec3 sum = in + out;
   const Vec3 half = sum / glm::length(sum);
   // i.h = r.h; taken as half the length of i + r, which is the same for both.
-  const double facing = glm::length(sum) / 2.0;
+  const double facing = std::min(1.0, glm::length(sum) / 2.0);
   const double shadow = std::min(1.0, 2.0 * half.z * std::min(in.z, out.z) / facing);
-  return reflection.fresnel(facing) * facets.density(half.z) * shadow / (4.0 * in.z * out.z);
+  return {facets.density(half.z) * shadow / (4.0 * in.z * out.z), facing};
+}
+
+double specular_brdf(const BandReflection& reflection, const Facets& facets, const Vec3& in,
+                     const Vec3& out) {
+  const LobeValue lobe = lobe_value(facets, in, out);
+  return lobe.value > 0.0 ? lobe.value * reflection.fresnel(lobe.facing) : 0.0;
 }
 
 double specular_albedo(const BandReflection& reflection, const Facets* facets, double cos_incidence) {

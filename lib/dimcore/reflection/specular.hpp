@@ -28,6 +28,13 @@ FacetDistribution facet_distribution(const Finish& finish);
 /// reciprocal. Directions in the surface's frame, z > 0, away from it.
 double specular_brdf(const BandReflection& reflection, const Facets& facets, const Vec3& in, const Vec3& out);
 
+/// The same without k_s F, which is left to `reflection.fresnel(facing)`: D G / (4 cos(i) cos(r)).
+struct LobeValue {
+  double value = 0.0;   ///< 1/sr
+  double facing = 1.0;  ///< cosine of incidence on the facets
+};
+LobeValue lobe_value(const Facets& facets, const Vec3& in, const Vec3& out);
+
 /// Share of light from a direction that the specular part reflects, k_s rho_s(theta), 0..1.
 /// @param facets  null for a mirror
 double specular_albedo(const BandReflection& reflection, const Facets* facets, double cos_incidence);

@@ -15,11 +15,12 @@ constexpr int kFacets = 32;
 
 class Builder {
  public:
-  Builder(const Zone& zone, const Cells& cells, const Lights& lights, const ReflectanceClasses& classes,
-          const Shine& shine, const RayCaster& caster, const std::vector<std::size_t>& source_of,
-          std::size_t n_sources, int mirror_depth, bool in_the_way)
+  Builder(const Zone& zone, const Cells& cells, const Network& network, const Lights& lights,
+          const ReflectanceClasses& classes, const Shine& shine, const RayCaster& caster,
+          const std::vector<std::size_t>& source_of, std::size_t n_sources, int mirror_depth, bool in_the_way)
       : zone_(zone),
         cells_(cells),
+        network_(network),
         lights_(lights),
         classes_(classes),
         shine_(shine),
@@ -36,6 +37,7 @@ class Builder {
     lobe_lx_.assign(shine.n_off_specular() * emitters_.size(), 0.0);
     mirrored_.assign(shine.has_mirrors() ? cells.size() * n_all() : 0, 0.0);
     not_followed_.assign(mirrored_.size(), 0.0);
+    escaped_.assign(mirrored_.size(), 0.0);
   }
 
   DirectColumns build(const Job& job) {
@@ -49,13 +51,19 @@ class Builder {
     auto& shine = result_.shine;
     shine.mirrored.assign(n_all(), 0.0);
     shine.not_followed.assign(n_all(), 0.0);
+    shine.escaped.assign(n_all(), 0.0);
+    shine.point_lobe.assign(zone_.points.size() * n_all(), 0.0);
     for (std::size_t at = 0; at < mirrored_.size(); ++at) {
       shine.mirrored[at % n_all()] += mirrored_[at];
       shine.not_followed[at % n_all()] += not_followed_[at];
+      shine.escaped[at % n_all()] += escaped_[at];
     }
     result_.n_images = emitters_.size() - lights_.luminaires.size();
     shine.psi.assign(shine_.n_states() * n_all(), 0.0F);
-    if (shine_.n_off_specular() > 0) fill_lobes(job);
+    if (shine_.n_off_specular() > 0) {
+      fill_lobes(job);
+      fill_points(job);
+    }
     return std::move(result_);
   }
 
@@ -123,15 +131,34 @@ class Builder {
     const auto paths = paths_to(i, e, integrators_[e], total);
     const auto tints = tint(middle(i), e);
     const bool last = static_cast<int>(emitters_[e].mirrors.size()) == mirror_depth_;
+    const auto leaves = leaving(paths, surface.polygon.frame(), static_cast<int>(cells_.surface_of(i)));
     for (std::size_t q = 0; q < tints.size(); ++q) {
-      double share = 0.0;
-      for (const auto& path : paths) {
-        const double cosine = std::clamp(glm::dot(path.towards, surface.polygon.frame().n), 0.0, 1.0);
-        share += path.lx / total * classes_.at(q, surface.finish).fresnel(cosine);
+      double share = 0.0, gone = 0.0;
+      for (std::size_t p = 0; p < paths.size(); ++p) {
+        const double cosine = std::clamp(glm::dot(paths[p].towards, surface.polygon.frame().n), 0.0, 1.0);
+        const double reflected = paths[p].lx / total * classes_.at(q, surface.finish).fresnel(cosine);
+        share += reflected;
+        if (leaves[p]) gone += reflected;
       }
       const std::size_t column = i * n_all() + q * n_sources_ + source_of_[emitters_[e].original];
-      (last ? not_followed_ : mirrored_)[column] += cells_.area_m2(i) * lx * tints[q] * share;
+      const double flux = cells_.area_m2(i) * lx * tints[q];
+      (last ? not_followed_ : mirrored_)[column] += flux * share;
+      if (!last) escaped_[column] += flux * gone;
     }
+  }
+
+  // Which of the paths a mirror sends out of the zone, or onto backs.
+  std::vector<bool> leaving(const std::vector<PairIntegrator::Path>& paths, const Frame& frame,
+                            int mirror) const {
+    std::vector<bool> leaves;
+    for (const auto& path : paths) {
+      const Vec3 out = 2.0 * glm::dot(path.towards, frame.n) * frame.n - path.towards;
+      const Hit hit = path.lx > 0.0 ? caster_.nearest(path.at, out, mirror) : Hit{};
+      const auto plate = static_cast<std::size_t>(hit.plate);
+      leaves.push_back(hit.plate < 0 || hit.back || plate >= zone_.surfaces.size() ||
+                       zone_.surfaces[plate].outside);
+    }
+    return leaves;
   }
 
   void fill_lobes(const Job& job) {
@@ -150,6 +177,50 @@ class Builder {
       }
     });
     job.check();
+  }
+
+  // What measuring points see of direct light in lobes: along each of their rays at the exact angles, which
+  // patches would smear.
+  void fill_points(const Job& job) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, zone_.points.size(), 1), [&](const auto& range) {
+      for (std::size_t p = range.begin(); p != range.end() && !job.stopped(); ++p) see_lobes(p);
+    });
+    job.check();
+  }
+
+  void see_lobes(std::size_t point) {
+    const PatchGrid& patches = network_.point_patches;
+    const RowRays rays(zone_, point, network_.sampling, network_.seed);
+    double* columns = &result_.shine.point_lobe[point * n_all()];
+    for (std::size_t patch = 0; patch < patches.n_patches(); ++patch) {
+      const std::size_t sink = network_.point_sinks.at(point, patch);
+      if (sink >= cells_.size() || shine_.of_cell(sink) != Shininess::off_specular) continue;
+      const Ray ray = rays.ray(patches, patch);
+      const double w =
+          patches.weight_sr(static_cast<int>(patch / static_cast<std::size_t>(patches.n_sectors)));
+      for (std::size_t e = 0; e < emitters_.size(); ++e) see_lobe(ray, sink, e, mix(patch), w, columns);
+    }
+  }
+
+  void see_lobe(const Ray& ray, std::size_t cell, std::size_t e, std::uint64_t stream, double w,
+                double* columns) const {
+    if (!(lobe_lx_[static_cast<std::size_t>(shine_.index_of(cell)) * emitters_.size() + e] > 0.0)) return;
+    const auto s = cells_.surface_of(cell);
+    Frame frame = zone_.surfaces[s].polygon.frame();
+    frame.origin = ray.from - frame.height(ray.from) / glm::dot(ray.direction, frame.n) * ray.direction;
+    Vec3 out = -frame.direction_to_local(ray.direction);
+    out.z = std::max(out.z, 1e-9);
+    const Receiver receiver{&frame, nullptr, true, static_cast<int>(s), 0, nullptr};
+    const auto path =
+        integrators_[e].path(receiver, whole_pair(Vec2(0.0), Vec2(0.0)), LowDiscrepancy4(mix(e))(stream));
+    if (!(path.lx > 0.0)) return;
+    const Vec3 in = frame.direction_to_local(path.towards);
+    const auto tints = tint(frame.origin, e);
+    const int finish = zone_.surfaces[s].finish;
+    const double lx = w * emitters_[e].luminaire.factor * path.lx;
+    for (std::size_t q = 0; q < tints.size(); ++q)
+      columns[q * n_sources_ + source_of_[emitters_[e].original]] +=
+          lx * tints[q] * specular_brdf(classes_.at(q, finish), shine_.facets(finish), in, out);
   }
 
   // From the exact directions of the light, facet by facet, into patches; scaled to the exact albedo.
@@ -196,6 +267,7 @@ class Builder {
 
   const Zone& zone_;
   const Cells& cells_;
+  const Network& network_;
   const Lights& lights_;
   const ReflectanceClasses& classes_;
   const Shine& shine_;
@@ -207,17 +279,19 @@ class Builder {
   std::vector<Emitter> emitters_;
   std::vector<PairIntegrator> integrators_;
   DirectColumns result_;
-  std::vector<double> lobe_lx_;                  // [n_off_specular, n_emitters]
-  std::vector<double> mirrored_, not_followed_;  // [n_cells, n_all]: cells of their own, summed in order
+  std::vector<double> lobe_lx_;  // [n_off_specular, n_emitters]
+  std::vector<double> mirrored_, not_followed_,
+      escaped_;  // [n_cells, n_all]: cells of their own, summed in order
 };
 
 }  // namespace
 
-DirectColumns direct_columns(const Zone& zone, const Cells& cells, const Lights& lights,
-                             const ReflectanceClasses& classes, const Shine& shine, const RayCaster& caster,
-                             const std::vector<std::size_t>& source_of, std::size_t n_sources,
-                             int mirror_depth, bool in_the_way, const Job& job) {
-  return Builder(zone, cells, lights, classes, shine, caster, source_of, n_sources, mirror_depth, in_the_way)
+DirectColumns direct_columns(const Zone& zone, const Cells& cells, const Network& network,
+                             const Lights& lights, const ReflectanceClasses& classes, const Shine& shine,
+                             const RayCaster& caster, const std::vector<std::size_t>& source_of,
+                             std::size_t n_sources, int mirror_depth, bool in_the_way, const Job& job) {
+  return Builder(zone, cells, network, lights, classes, shine, caster, source_of, n_sources, mirror_depth,
+                 in_the_way)
       .build(job);
 }
 

@@ -6,7 +6,7 @@
 namespace dim {
 namespace {
 
-constexpr std::size_t kMostLobePatches = 1024;
+constexpr std::size_t kMostLobePatches = 1280;
 
 Shininess shininess(const Finish& finish, std::size_t index, const ReflectanceClasses& classes,
                     const PatchGrid& grid) {

@@ -66,6 +66,7 @@ void ShineState::add_to_points(const std::vector<double>& exitance, std::vector<
   const auto n_sectors = static_cast<std::size_t>(network_.point_patches.n_sectors);
   for (std::size_t p = 0; p < network_.point_sinks.n_rows(); ++p) {
     double* sum = &sums[p * width_];
+    for (std::size_t c = 0; c < n_; ++c) sum[c] += direct_.point_lobe[p * n_columns_ + first_ + c];
     for (auto l = shine_.mirror_first()[n_cells + p]; l < shine_.mirror_first()[n_cells + p + 1]; ++l) {
       const auto& link = shine_.mirror_links()[l];
       const double weight = network_.point_patches.weight_sr(static_cast<int>(link.patch / n_sectors)) / kPi;
@@ -74,9 +75,13 @@ void ShineState::add_to_points(const std::vector<double>& exitance, std::vector<
     }
     for (auto l = shine_.lobe_first()[n_cells + p]; l < shine_.lobe_first()[n_cells + p + 1]; ++l) {
       const auto& link = shine_.lobe_links()[l];
-      for (std::size_t c = 0; c < n_; ++c)
-        sum[c] += static_cast<double>(link.weight) * shine_.tint(link.tint, class_[c]) *
-                  psi_[link.state * width_ + c];
+      const float* known = &direct_.psi[link.state * n_columns_ + first_];
+      for (std::size_t c = 0; c < n_; ++c) {
+        // What lobes make of direct light is in point_lobe already, unless seen in a mirror.
+        const double psi =
+            psi_[link.state * width_ + c] - (link.tint == 0 ? static_cast<double>(known[c]) : 0.0);
+        sum[c] += static_cast<double>(link.weight) * shine_.tint(link.tint, class_[c]) * psi;
+      }
     }
   }
 }

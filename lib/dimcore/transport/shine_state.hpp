@@ -10,8 +10,11 @@ namespace dim {
 
 /// What direct light does at shiny cells, for all columns.
 struct DirectShine {
-  std::vector<float> psi;            ///< [n_states, n_columns] flux by lobes into patches, per area
+  std::vector<float> psi;  ///< [n_states, n_columns] flux by lobes into patches, per area
+  std::vector<double>
+      point_lobe;  ///< [n_points, n_columns] from lobes seen without a mirror between, exact angles
   std::vector<double> mirrored;      ///< [n_columns] flux that mirrors reflect and images bring
+  std::vector<double> escaped;       ///< [n_columns] of that, what leaves the zone
   std::vector<double> not_followed;  ///< [n_columns] flux that mirrors reflect beyond the last image
 };
 

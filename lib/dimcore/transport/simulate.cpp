@@ -281,8 +281,8 @@ Solution simulate(const Zone& zone, const Cells& cells, const Network& network, 
   const auto flights = source_flights(zone, network, lights, sources, job, warnings);
   const bool in_the_way = options.always_test_visibility || !is_convex_and_empty(zone, lights);
   DirectColumns direct =
-      direct_columns(zone, cells, lights, classes, shine, obstructions.caster(), sources.of_luminaire,
-                     n_sources, options.mirror_depth, in_the_way, job);
+      direct_columns(zone, cells, network, lights, classes, shine, obstructions.caster(),
+                     sources.of_luminaire, n_sources, options.mirror_depth, in_the_way, job);
   std::vector<double> reflectance(zone.surfaces.size() * n_columns);
   std::vector<std::size_t> class_of_column(n_columns);
   for (std::size_t c = 0; c < n_columns; ++c) class_of_column[c] = c / n_sources;
@@ -305,6 +305,7 @@ Solution simulate(const Zone& zone, const Cells& cells, const Network& network, 
   for (std::size_t c = 0; c < n_columns && shine.any(); ++c) {
     gathered.columns[c].absorbed -= direct.shine.mirrored[c] + direct.shine.not_followed[c];
     gathered.columns[c].dropped += direct.shine.not_followed[c];
+    gathered.columns[c].escaped += direct.shine.escaped[c];
   }
 
   Solution solution;
