@@ -20,8 +20,9 @@ void explain(Program& program, const ModelPlan& plan) {
   if (plan.mirrors.empty())
     say("no mirror: rays end where they first meet a surface, no images of luminaires");
   else
-    say(fmt::format("mirrors: {}; rays go on there, {} images of luminaires", list(plan.mirrors),
-                    plan.n_images));
+    say(fmt::format(
+        "mirrors: {}; rays go on there ({:.2g} % of their light met too many), {} images of luminaires",
+        list(plan.mirrors), 100.0 * plan.mirror_rays_cut_off, plan.n_images));
   say(plan.n_classes < plan.n_bands
           ? fmt::format("{} bands, of which {} reflect differently: {} solved (--full bands)", plan.n_bands,
                         plan.n_classes, plan.n_classes)

@@ -141,7 +141,7 @@ TEST_CASE("Facing mirrors image a lamp again and again, to the depth asked for",
   }
 }
 
-TEST_CASE("A lobe lights a point as the quadrature of its distribution says", "[shine][unit]") {
+TEST_CASE("A lobe lights a point as the quadrature of its distribution says", "[shine][property]") {
   Zone zone = room(0.0, 0.1);
   make_glossy(zone, kFloor, 1.0, 0.3, 3.0);
   const Vec3 lamp(-0.6, 0.1, 0.3);
@@ -180,7 +180,7 @@ TEST_CASE("What a mirror sends out of an open zone has escaped", "[shine][unit]"
   CHECK(worst_imbalance(solution) < 1e-2);
 }
 
-TEST_CASE("Energy closes with lobes, mirrors and both", "[shine][unit]") {
+TEST_CASE("Energy closes with lobes, mirrors and both", "[shine][property]") {
   const int kind = GENERATE(0, 1, 2, 3);
   Zone zone = room(0.6);
   if (kind == 0 || kind == 2) make_glossy(zone, kFloor, 0.4, 0.15, 1.7);
@@ -201,7 +201,7 @@ TEST_CASE("Energy closes with lobes, mirrors and both", "[shine][unit]") {
   for (const float e : solution.cell_total) CHECK(e >= 0.0F);
 }
 
-TEST_CASE("Gathering and tracking agree", "[shine][track][unit]") {
+TEST_CASE("Gathering and tracking agree", "[shine][track][property]") {
   const int kind = GENERATE(0, 1, 2, 3);
   Zone zone = room(0.5);
   if (kind == 1 || kind == 3) make_glossy(zone, kFloor, 0.5, 0.2, 2.0);
@@ -271,7 +271,7 @@ TEST_CASE("Extremes of shine give numbers", "[shine][unit]") {
   CHECK(worst_imbalance(solution) < 2e-2);
 }
 
-TEST_CASE("Each saving leaves the answer as the full model has it", "[shine][plan][unit]") {
+TEST_CASE("Each saving leaves the answer as the full model has it", "[shine][plan][property]") {
   Zone zone = room(0.6);
   zone.closed = true;
   for (int i = 0; i < 5; ++i) zone.points.push_back({{-1.7 + 0.7 * i, 0.2, -0.5}, {0, 0, 1}});
@@ -312,7 +312,7 @@ TEST_CASE("Each saving leaves the answer as the full model has it", "[shine][pla
   CHECK(solve(zone, lights, network_of(zone)).plan.tests_visibility);
 }
 
-TEST_CASE("Shine gives the same bits on any number of threads", "[shine][unit]") {
+TEST_CASE("Shine gives the same bits on any number of threads", "[shine][property]") {
   const auto run = [](std::size_t n_threads, Solver solver) {
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, n_threads);
     Zone zone = room(0.5, 0.4);

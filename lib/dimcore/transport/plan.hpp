@@ -5,6 +5,7 @@
 
 #include "scene/lights.hpp"
 #include "scene/zone.hpp"
+#include "transport/shine.hpp"
 
 namespace dim {
 
@@ -17,6 +18,8 @@ struct ModelPlan {
   std::size_t n_bands = 0, n_classes = 0;
   std::size_t n_off_specular_cells = 0, n_lobe_patches = 0;
   std::size_t n_images = 0;  ///< of luminaires in mirrors
+  double mirror_rays_cut_off =
+      0.0;  ///< share of the light rays collect that had met too many mirrors to go on
   bool tests_visibility = true;
   std::size_t bytes_per_sink = 2;
   std::size_t n_black_cells = 0;  ///< reflect nothing: nothing is sent from them
@@ -25,5 +28,11 @@ struct ModelPlan {
 /// Whether no surface can come between two points of the zone, luminaires included: closed, bounding surfaces
 /// only, none with a corner behind another's plane, no body of a luminaire, no luminaire outside.
 bool is_convex_and_empty(const Zone& zone, const Lights& lights);
+
+/// @param n_images    of luminaires in mirrors
+/// @param in_the_way  whether visibility is tested
+ModelPlan make_plan(const Zone& zone, const Cells& cells, const Network& network, const Lights& lights,
+                    const ReflectanceClasses& classes, const Shine& shine, std::size_t n_sources,
+                    std::size_t n_images, bool in_the_way);
 
 }  // namespace dim

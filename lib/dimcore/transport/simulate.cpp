@@ -221,51 +221,6 @@ std::vector<FirstFlight> source_flights(const Zone& zone, const Network& network
 
 }  // namespace
 
-namespace {
-
-ModelPlan make_plan(const Zone& zone, const Cells& cells, const Network& network, const Lights& lights,
-                    const ReflectanceClasses& classes, const Shine& shine, std::size_t n_sources,
-                    std::size_t n_images, bool in_the_way) {
-  ModelPlan plan;
-  std::vector<bool> named(zone.finishes.size(), false);
-  for (std::size_t s = 0; s < zone.surfaces.size(); ++s) {
-    const auto finish = static_cast<std::size_t>(zone.surfaces[s].finish);
-    if (named[finish] || zone.surfaces[s].outside) continue;
-    named[finish] = true;
-    auto& list = shine.of_surface(s) == Shininess::diffusing
-                     ? plan.diffusing
-                     : (shine.of_surface(s) == Shininess::mirror ? plan.mirrors : plan.off_specular);
-    list.push_back(zone.finishes[finish].name);
-  }
-  std::vector<const SpectralCurve*> spectra;
-  for (const auto& fitting : lights.fittings) {
-    if (!fitting.has_spectrum) plan.without_spectrum.push_back(fitting.name);
-    if (std::none_of(spectra.begin(), spectra.end(), [&](const SpectralCurve* known) {
-          return known->points() == fitting.spectrum.points();
-        }))
-      spectra.push_back(&fitting.spectrum);
-  }
-  plan.n_luminaires = lights.luminaires.size();
-  plan.n_sources = n_sources;
-  plan.n_spectra = spectra.size();
-  plan.n_bands = classes.of_band.size();
-  plan.n_classes = classes.size();
-  plan.n_off_specular_cells = shine.n_off_specular();
-  plan.n_lobe_patches = shine.grid().n_patches();
-  plan.n_images = n_images;
-  plan.tests_visibility = in_the_way;
-  plan.bytes_per_sink = network.sinks.wide() ? 4 : 2;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    bool black = shine.of_cell(i) == Shininess::diffusing;
-    for (std::size_t q = 0; q < classes.size() && black; ++q)
-      black = classes.at(q, zone.surfaces[cells.surface_of(i)].finish).diffuse == 0.0;
-    plan.n_black_cells += black;
-  }
-  return plan;
-}
-
-}  // namespace
-
 Solution simulate(const Zone& zone, const Cells& cells, const Network& network, const Lights& lights,
                   const SimulationOptions& options, const Job& job, Warnings& warnings) {
   check_finishes(zone, options.bands);
