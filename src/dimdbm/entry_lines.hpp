@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -19,13 +19,15 @@ struct EntryName {
 /// All entries of a kind, or of both for "all".
 std::vector<EntryName> entries_of(const DatabaseSearch& search, const std::string& kind_wanted);
 
+inline constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
 /// What list and check say of an entry; NaN and empty where a figure does not apply.
 struct EntryLine {
   std::string kind;  ///< fitting, opaque, glazing; surface where it cannot be read
   std::string colour, spectrum_name, source;
   std::string problem;  ///< why it cannot be read, or what check finds
-  double flux_lm = NAN, max_cd = NAN, watts = NAN, cct_K = NAN;
-  double share = NAN;  ///< luminous reflectance or transmittance
+  double flux_lm = kNone, max_cd = kNone, watts = kNone, cct_K = kNone;
+  double share = kNone;  ///< luminous reflectance or transmittance
 };
 
 /// Reads all entries, several at once; an entry that cannot be read has a problem in place of figures.

@@ -44,7 +44,7 @@ Run run_with(std::size_t n_threads, bool family) {
 TEST_CASE("One thread and several give the same bits", "[transport][unit]") {
   const bool family = GENERATE(false, true);
   const Run one = run_with(1, family);
-  for (const std::size_t n_threads : {2, 4}) {
+  for (const std::size_t n_threads : {2U, 4U}) {
     const Run many = run_with(n_threads, family);
     CHECK(many.direct.cell_lx == one.direct.cell_lx);
     CHECK(many.direct.point_lx == one.direct.point_lx);

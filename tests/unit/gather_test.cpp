@@ -198,7 +198,7 @@ TEST_CASE("Columns do not touch each other, however many there are", "[gather][u
   const Zone zone = furnished_room(0.7, 1.3);
   const Network network = network_of(zone, {4, 8});
   const Cells cells(zone);
-  const std::size_t n = cells.size(), n_columns = GENERATE(1, 7, 8, 9, 32, 33, 70);
+  const std::size_t n = cells.size(), n_columns = GENERATE(1U, 7U, 8U, 9U, 32U, 33U, 70U);
   const auto base = uneven(n);
   std::vector<double> direct(n * n_columns);
   for (std::size_t i = 0; i < n; ++i)

@@ -38,7 +38,7 @@ LogSum log_sum_of_row(const Raster& raster, std::size_t row) {
 void map_row(const Raster& raster, std::size_t row, const BrightnessCurve& scene,
              const BrightnessCurve& screen, Raster& shown) {
   const auto width = static_cast<std::size_t>(raster.width);
-  constexpr double kGreatest = std::numeric_limits<float>::max();
+  constexpr auto kGreatest = static_cast<double>(std::numeric_limits<float>::max());
   for (std::size_t i = row * width; i < (row + 1) * width; ++i) {
     const Vec3 xyz = pixel_xyz(raster, i);
     if (!is_finite(xyz) || !(xyz.y > 0)) continue;

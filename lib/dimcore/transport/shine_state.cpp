@@ -25,7 +25,8 @@ ShineState::ShineState(const Shine& shine, const Zone& zone, const Network& netw
       psi_(shine.n_states() * width, 0.0),
       change_(shine.n_off_specular() * width, 0.0) {
   for (std::size_t s = 0; s < shine.n_states(); ++s) {
-    for (std::size_t c = 0; c < n; ++c) psi_[s * width + c] = direct.psi[s * n_columns + first + c];
+    for (std::size_t c = 0; c < n; ++c)
+      psi_[s * width + c] = static_cast<double>(direct.psi[s * n_columns + first + c]);
   }
 }
 
@@ -129,7 +130,7 @@ std::vector<double> ShineState::reflect(const std::vector<double>& exitance) {
     double* out = &next[g * n_patches * width_];
     for (std::size_t p = 0; p < n_patches; ++p) {
       for (std::size_t c = 0; c < n_; ++c)
-        out[p * width_ + c] = direct_.psi[(g * n_patches + p) * n_columns_ + first_ + c];
+        out[p * width_ + c] = static_cast<double>(direct_.psi[(g * n_patches + p) * n_columns_ + first_ + c]);
     }
     // Columns of one class are neighbours.
     for (std::size_t c0 = 0, c1 = 0; c0 < n_; c0 = c1) {
