@@ -138,7 +138,7 @@ TEST_CASE("Ra and R1..R9 are those of an independent program", "[spectrum][unit]
   CHECK(fl1.ra == Approx(75.8528).margin(0.3));
   CHECK(ra("fl-2").ra == Approx(64.2337).margin(0.3));
   CHECK(ra("cie-a").ra == Approx(99.9962).margin(0.01));
-  // CIE 15, table T.8: whole numbers.
+  // CIE 15 states these for its fluorescent lamps, in whole numbers.
   const std::pair<const char*, double> published[] = {
       {"fl-3", 57}, {"fl-4", 51},  {"fl-5", 72},  {"fl-6", 59},  {"fl-7", 90}, {"fl-8", 95},
       {"fl-9", 90}, {"fl-10", 81}, {"fl-11", 83}, {"fl-12", 83}, {"d65", 100}, {"d50", 100}};
@@ -157,7 +157,7 @@ TEST_CASE("Melanopic equivalent daylight: D65 is its own, A about half", "[spect
     return melanopic_edi_lx(light.melanopic) / (kMaxEfficacy_lm_W * light.xyz.y);
   };
   CHECK(ratio("d65") == Approx(1.0).epsilon(1e-12));
-  // CIE S 026 toolbox, melanopic daylight efficacy ratios: A 0.496, E 0.906 (table values to three digits).
+  // Melanopic daylight efficacy ratios that CIE S 026 gives for A and E, to three digits.
   CHECK(ratio("cie-a") == Approx(0.496).margin(0.002));
   CHECK(ratio("e") == Approx(0.906).margin(0.002));
 }
