@@ -53,12 +53,6 @@ double Facets::tilt_rad(double u) const {
   return step_rad_ * std::sqrt(i * i + t * (2.0 * i + 1.0));
 }
 
-double v_cavity(const Vec3& half, const Vec3& in, const Vec3& out) {
-  const double facing = glm::dot(in, half);
-  if (!(facing > 0.0)) return 0.0;
-  return std::clamp(2.0 * half.z * std::min(in.z, out.z) / facing, 0.0, 1.0);
-}
-
 double facet_weight(const Vec3& half, const Vec3& in, const Vec3& out) {
   const double facing = glm::dot(in, half);
   if (!(facing > 0.0) || !(out.z > 0.0) || !(half.z > 0.0)) return 0.0;

@@ -24,8 +24,6 @@ class Facets {
   /// and an azimuth uniform, facets come with density D cos(delta).
   double tilt_rad(double u) const;
 
-  double rms_slope() const { return rms_slope_; }
-
  private:
   FacetDistribution distribution_;
   double rms_slope_;
@@ -34,12 +32,8 @@ class Facets {
   std::vector<double> cumulative_;  // gaussian: int_0^{i step} D cos sin 2 pi
 };
 
-/// Masking and shadowing of V-shaped cavities (Torrance & Sparrow 1967), equation (13):
-/// min(1, 2 (n.h)(n.r)/(r.h), 2 (n.h)(n.i)/(i.h)). Directions in the surface's frame, z = normal, both away
-/// from it.
-double v_cavity(const Vec3& half, const Vec3& in, const Vec3& out);
-
-/// A facet's share of the light from `in`, over D cos(delta): (i.h) G / (cos(in) cos(delta)), 0..2. Zero
+/// A facet's share of the light from `in`, over D cos(delta): (i.h) G / (cos(in) cos(delta)), 0..2, with G the
+/// masking of V-shaped cavities (Torrance & Sparrow 1967), equation (13). Zero
 /// where the facet faces away or sends the light below the surface. Its mean over facets drawn with D
 /// cos(delta), times F, is the directional albedo; never above 1, since facets opposite in azimuth add up to
 /// at most 2.

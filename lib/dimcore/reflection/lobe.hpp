@@ -56,7 +56,6 @@ class LobeMatrix {
   /// Entries of incoming patches of a slice: [first(slice), first(slice + 1)).
   const Entry* begin(int slice) const { return entries_.data() + first_[static_cast<std::size_t>(slice)]; }
   const Entry* end(int slice) const { return entries_.data() + first_[static_cast<std::size_t>(slice) + 1]; }
-  std::size_t n_entries() const { return entries_.size(); }
 
  private:
   std::vector<Entry> entries_;

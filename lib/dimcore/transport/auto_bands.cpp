@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "reflection/fresnel.hpp"
 #include "spectrum/observer.hpp"
 
 namespace dim {
@@ -10,8 +11,7 @@ namespace {
 // Fresnel's F at normal incidence, physics.md section 6.
 double normal_reflectance(const Finish& finish, double nm) {
   if (finish.specular_reflectance) return finish.specular_reflectance->at(nm);
-  const double n = finish.ior.at(nm), k = finish.extinction ? finish.extinction->at(nm) : 0.0;
-  return ((n - 1.0) * (n - 1.0) + k * k) / ((n + 1.0) * (n + 1.0) + k * k);
+  return fresnel_reflectance(1.0, finish.ior.at(nm), finish.extinction ? finish.extinction->at(nm) : 0.0);
 }
 
 void add_curves(const Finish& finish, std::vector<SpectralCurve>& curves) {

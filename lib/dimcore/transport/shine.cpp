@@ -46,7 +46,7 @@ Shine::Shine(const Zone& zone, const Cells& cells, const Network& network, const
     off_specular_.push_back(static_cast<std::uint32_t>(i));
   }
   if (!any()) return;
-  make_optics(classes);
+  make_optics(classes, of_finish);
 
   const std::size_t n_cells = cells.size(), n_points = zone.points.size();
   const auto receivers = rows(n_cells + n_points, job, [&](RowLinks& links, std::size_t row) {
@@ -91,13 +91,12 @@ Shine::Shine(const Zone& zone, const Cells& cells, const Network& network, const
   for (std::size_t p = n_cells; p < receivers.size(); ++p) place(receivers[p], keep_tints(receivers[p]));
 }
 
-void Shine::make_optics(const ReflectanceClasses& classes) {
+void Shine::make_optics(const ReflectanceClasses& classes, const std::vector<Shininess>& of_finish) {
   const std::size_t n_finishes = zone_.finishes.size();
   lobes_.assign(n_classes_, std::vector<std::shared_ptr<const LobeMatrix>>(n_finishes));
   albedos_.assign(n_classes_, std::vector<std::shared_ptr<const AlbedoTable>>(n_finishes));
   slice_albedos_.assign(n_classes_, std::vector<std::shared_ptr<const std::vector<double>>>(n_finishes));
   facets_.resize(n_finishes);
-  const auto of_finish = shininess_of_finishes(zone_, classes, grid_);
   for (std::size_t f = 0; f < n_finishes; ++f) {
     if (of_finish[f] == Shininess::diffusing) continue;
     const Finish& finish = zone_.finishes[f];

@@ -96,7 +96,7 @@ class Shine {
   using Sink = std::function<std::size_t(std::size_t patch)>;
 
   static std::size_t at(int finish) { return static_cast<std::size_t>(finish); }
-  void make_optics(const ReflectanceClasses& classes);
+  void make_optics(const ReflectanceClasses& classes, const std::vector<Shininess>& of_finish);
   template <class OnLanding>
   bool follow(const Ray& ray, int skip, const RayCaster& caster, OnLanding&& on_landing) const;
   void follow_mirrors(RowLinks& links, const RowRays& rays, const PatchGrid& patches, const Sink& sink_of,
