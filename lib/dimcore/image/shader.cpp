@@ -9,7 +9,7 @@ namespace {
 constexpr int kRoundCorners = 48;
 constexpr int kMostMirrors = 16;      // that a line of sight goes on at
 constexpr int kImageDepth = 3;        // mirrors that luminaires are imaged in for direct light point by point
-constexpr int kShadowRays = 64;       // from each luminaire to a pixel, over all its samples
+constexpr int kShadowLines = 64;      // from each luminaire to a pixel, over all its samples
 constexpr int kHighlightPaths = 144;  // the same for lobes
 
 // Outline of a luminous opening in space, empty where it has no area.
@@ -101,9 +101,10 @@ void Shader::make_lamps(const Mix& mix) {
   }
   for (const auto& luminaire : database_.luminaires())
     factor_.push_back(mix[luminaire.source] * luminaire.factor);
+  PairOptions options;
+  options.shadow_lines = std::max(4, kShadowLines / n_samples_);
   for (const auto& emitter : emitters_)
-    integrators_.emplace_back(zone_, obstructions_->caster(), emitter, 0.0,
-                              std::max(4, kShadowRays / n_samples_), integrators_.size());
+    integrators_.emplace_back(zone_, obstructions_->caster(), obstructions_->shadows(), emitter, options);
 }
 
 // An opening shows the luminance that its intensity gives in that direction.
@@ -127,8 +128,7 @@ void Shader::add_direct(std::size_t surface, const Vec2& local, std::uint64_t ch
   const auto finish = static_cast<std::size_t>(zone_.surfaces[surface].finish);
   Frame frame = polygon.frame();
   frame.origin = frame.to_world(local);
-  const Receiver receiver{&frame, nullptr, true, static_cast<int>(surface), chance, nullptr};
-  const Part point = whole_pair(Vec2(0.0), Vec2(0.0));
+  const Receiver receiver = point_receiver(frame, static_cast<int>(surface), chance);
   const int n_paths = std::max(1, kHighlightPaths / n_samples_);
   for (std::size_t e = 0; e < emitters_.size(); ++e) {
     const auto& emitter = emitters_[e];
@@ -144,14 +144,14 @@ void Shader::add_direct(std::size_t surface, const Vec2& local, std::uint64_t ch
       }
     }
     if (shading_ == Shading::gather) {
-      const double lx = integrators_[e].mean(receiver, point);
+      const double lx = integrators_[e].mean(receiver).lx;
       for (std::size_t b = 0; b < tint.size() && lx > 0.0; ++b)
         irradiance[first + b] += lx * tint[b] * channels_.watts_per_lumen(first + b);
     }
     if (!towards) continue;
     const LowDiscrepancy4 points(chance ^ mix(e));
     for (int i = 0; i < n_paths; ++i) {
-      const auto path = integrators_[e].path(receiver, point, points(static_cast<std::uint64_t>(i)));
+      const auto path = integrators_[e].path(receiver, points(static_cast<std::uint64_t>(i)));
       if (!(path.lx > 0.0)) continue;
       const Vec3 in = frame.direction_to_local(path.towards);
       const LobeValue seen = lobe_value(*facets_[finish], in, *towards);

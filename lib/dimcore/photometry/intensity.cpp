@@ -105,6 +105,7 @@ void IntensityTable::summarise() {
   std::vector<double> plane_max_cd(c.size(), 0.0);
   std::size_t lit_end = 0;  // one past the last gamma with light
   axial_ = kind_ == Kind::kTable;
+  if (kind_ == Kind::kTable) ring_max_cd_.assign(n_gamma_, 0.0);
   for (std::size_t p = 0; p < c.size(); ++p) {
     const double before = p > 0 ? c[p] - c[p - 1] : 0.0;
     const double after = p + 1 < c.size() ? c[p + 1] - c[p] : 0.0;
@@ -112,6 +113,7 @@ void IntensityTable::summarise() {
     for (std::size_t g = 0; g < n_gamma_; ++g) {
       round[g] += 0.5 * (before + after) * row[g];
       plane_max_cd[p] = std::max(plane_max_cd[p], row[g]);
+      if (kind_ == Kind::kTable) ring_max_cd_[g] = std::max(ring_max_cd_[g], row[g]);
       if (row[g] > 0.0) lit_end = std::max(lit_end, g + 1);
       if (row[g] != cd_[g]) axial_ = false;
     }
@@ -122,6 +124,21 @@ void IntensityTable::summarise() {
     flux_lm_ += weights.lower * round[g] + weights.upper * round[g + 1];
   }
   zero_behind_ = !lit_behind(plane_max_cd, lit_end);
+}
+
+double IntensityTable::bound_cd(const Vec3& dir_local, double half_angle_rad) const {
+  if (kind_ != Kind::kTable) return max_cd_;
+  const double gamma = half_turn_angle(std::hypot(dir_local.x, dir_local.y), dir_local.z);
+  const auto& nodes = gamma_.nodes_rad();
+  // From the node at or before the cone to the one at or behind it.
+  auto first = std::upper_bound(nodes.begin(), nodes.end(), gamma - half_angle_rad);
+  if (first != nodes.begin()) --first;
+  auto last = std::lower_bound(nodes.begin(), nodes.end(), gamma + half_angle_rad);
+  if (last != nodes.end()) ++last;
+  double bound = 0.0;
+  for (auto node = first; node < last; ++node)
+    bound = std::max(bound, ring_max_cd_[static_cast<std::size_t>(node - nodes.begin())]);
+  return bound;
 }
 
 double IntensityTable::at_c_gamma(double c_rad, double gamma_rad) const {

@@ -72,6 +72,10 @@ class IntensityTable {
   double max_cd() const { return max_cd_; }
   /// True where nothing is emitted at gamma > 90 degrees.
   bool zero_behind() const { return zero_behind_; }
+  /// A bound from above on the intensity in all directions within `half_angle_rad` of `dir_local`, cd: 0 only
+  /// where there is no light at all.
+  double bound_cd(const Vec3& dir_local, double half_angle_rad) const;
+  bool is_lambertian() const { return kind_ == Kind::kLambertian; }
   /// True where the intensity does not depend on C.
   bool axial() const { return axial_; }
 
@@ -106,6 +110,7 @@ class IntensityTable {
   AngleGrid c_;
   AngleGrid gamma_;
   std::vector<double> cd_;
+  std::vector<double> ring_max_cd_;  // [n_gamma] over all planes; type C only
 };
 
 }  // namespace dim

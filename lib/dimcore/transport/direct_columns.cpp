@@ -16,7 +16,7 @@ constexpr int kFacets = 32;
 class Builder {
  public:
   Builder(const Zone& zone, const Cells& cells, const Network& network, const Lights& lights,
-          const ReflectanceClasses& classes, const Shine& shine, const RayCaster& caster,
+          const ReflectanceClasses& classes, const Shine& shine, const Obstructions& obstructions,
           const std::vector<std::size_t>& source_of, std::size_t n_sources, int mirror_depth, bool in_the_way)
       : zone_(zone),
         cells_(cells),
@@ -24,13 +24,12 @@ class Builder {
         lights_(lights),
         classes_(classes),
         shine_(shine),
-        caster_(caster),
+        caster_(obstructions.caster()),
         source_of_(source_of),
         n_sources_(n_sources),
         mirror_depth_(shine.has_mirrors() ? mirror_depth : 0),
-        in_the_way_(in_the_way),
         emitters_(make_emitters(zone, lights, shine.mirrors(), mirror_depth_)),
-        integrators_(make_integrators(zone, lights, emitters_, caster, in_the_way)) {
+        integrators_(make_integrators(zone, emitters_, obstructions, in_the_way)) {
     result_.n_columns = shine.has_mirrors() ? n_sources * classes.size() : n_sources;
     result_.cell.assign(cells.size() * result_.n_columns, 0.0);
     result_.point.assign(zone.points.size() * result_.n_columns, 0.0);
@@ -42,12 +41,13 @@ class Builder {
 
   DirectColumns build(const Job& job) {
     direct_light(
-        zone_, cells_, lights_, emitters_, caster_,
-        [&](std::size_t i, std::size_t e, double lx) { on_cell(i, e, lx); },
-        [&](std::size_t p, std::size_t e, double lx) {
-          if (lx > 0.0) add(&result_.point[p * result_.n_columns], zone_.points[p].position, e, lx);
+        zone_, cells_, emitters_, integrators_,
+        [&](std::size_t i, std::size_t e, const DirectEstimate& direct) { on_cell(i, e, direct.lx); },
+        [&](std::size_t p, std::size_t e, const DirectEstimate& direct) {
+          if (direct.lx > 0.0)
+            add(&result_.point[p * result_.n_columns], zone_.points[p].position, e, direct.lx);
         },
-        job, in_the_way_);
+        job);
     auto& shine = result_.shine;
     shine.mirrored.assign(n_all(), 0.0);
     shine.not_followed.assign(n_all(), 0.0);
@@ -111,12 +111,11 @@ class Builder {
   std::vector<PairIntegrator::Path> paths_to(std::size_t cell, std::size_t e,
                                              const PairIntegrator& integrator, double& total) const {
     const Receiver receiver = cell_receiver(zone_, cells_, cell);
-    const Part pair = whole_pair(cells_[cell].low, cells_[cell].high);
     const LowDiscrepancy4 chance(mix(cell) ^ mix(e));
     std::vector<PairIntegrator::Path> paths;
     total = 0.0;
     for (std::uint64_t i = 0; i < kPaths; ++i) {
-      paths.push_back(integrator.path(receiver, pair, chance(i)));
+      paths.push_back(integrator.path(receiver, chance(i)));
       total += paths.back().lx;
     }
     if (total > 0.0) return paths;
@@ -210,9 +209,9 @@ class Builder {
     frame.origin = ray.from - frame.height(ray.from) / glm::dot(ray.direction, frame.n) * ray.direction;
     Vec3 out = -frame.direction_to_local(ray.direction);
     out.z = std::max(out.z, 1e-9);
-    const Receiver receiver{&frame, nullptr, true, static_cast<int>(s), 0, nullptr};
+    const Receiver receiver = point_receiver(frame, static_cast<int>(s), 0);
     const auto path =
-        integrators_[e].path(receiver, whole_pair(Vec2(0.0), Vec2(0.0)), LowDiscrepancy4(mix(e))(stream));
+        integrators_[e].path(receiver, LowDiscrepancy4(mix(e))(stream));
     if (!(path.lx > 0.0)) return;
     const Vec3 in = frame.direction_to_local(path.towards);
     const auto tints = tint(frame.origin, e);
@@ -275,7 +274,6 @@ class Builder {
   const std::vector<std::size_t>& source_of_;
   std::size_t n_sources_;
   int mirror_depth_;
-  bool in_the_way_;
   std::vector<Emitter> emitters_;
   std::vector<PairIntegrator> integrators_;
   DirectColumns result_;
@@ -288,9 +286,9 @@ class Builder {
 
 DirectColumns direct_columns(const Zone& zone, const Cells& cells, const Network& network,
                              const Lights& lights, const ReflectanceClasses& classes, const Shine& shine,
-                             const RayCaster& caster, const std::vector<std::size_t>& source_of,
+                             const Obstructions& obstructions, const std::vector<std::size_t>& source_of,
                              std::size_t n_sources, int mirror_depth, bool in_the_way, const Job& job) {
-  return Builder(zone, cells, network, lights, classes, shine, caster, source_of, n_sources, mirror_depth,
+  return Builder(zone, cells, network, lights, classes, shine, obstructions, source_of, n_sources, mirror_depth,
                  in_the_way)
       .build(job);
 }

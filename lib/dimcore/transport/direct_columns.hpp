@@ -22,7 +22,7 @@ struct DirectColumns {
 /// @param mirror_depth  mirrors one after the other in which luminaires are imaged
 DirectColumns direct_columns(const Zone& zone, const Cells& cells, const Network& network,
                              const Lights& lights, const ReflectanceClasses& classes, const Shine& shine,
-                             const RayCaster& caster, const std::vector<std::size_t>& source_of,
+                             const Obstructions& obstructions, const std::vector<std::size_t>& source_of,
                              std::size_t n_sources, int mirror_depth, bool in_the_way, const Job& job);
 
 }  // namespace dim

@@ -29,6 +29,7 @@ std::vector<Plate> all_plates(const Zone& zone, const std::vector<Polygon>& pane
 }  // namespace
 
 Obstructions::Obstructions(const Zone& zone, const Lights& lights)
-    : bodies_(bodies(lights)), caster_(all_plates(zone, bodies_), zone.diameter_m) {}
+    : bodies_(bodies(lights)), caster_(all_plates(zone, bodies_), zone.diameter_m),
+      shadows_(all_plates(zone, bodies_), zone.diameter_m) {}
 
 }  // namespace dim

@@ -236,7 +236,7 @@ Solution simulate(const Zone& zone, const Cells& cells, const Network& network, 
   const auto flights = source_flights(zone, network, lights, sources, job, warnings);
   const bool in_the_way = options.always_test_visibility || !is_convex_and_empty(zone, lights);
   DirectColumns direct =
-      direct_columns(zone, cells, network, lights, classes, shine, obstructions.caster(),
+      direct_columns(zone, cells, network, lights, classes, shine, obstructions,
                      sources.of_luminaire, n_sources, options.mirror_depth, in_the_way, job);
   std::vector<double> reflectance(zone.surfaces.size() * n_columns);
   std::vector<std::size_t> class_of_column(n_columns);
