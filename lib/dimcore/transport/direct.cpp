@@ -4,7 +4,6 @@
 #include <tbb/parallel_for.h>
 
 #include <map>
-#include <numeric>
 
 namespace dim {
 namespace {
@@ -12,11 +11,6 @@ namespace {
 // Neighbouring cells of a surface, up to this many along each of its axes, that share the search for what is
 // in the way.
 constexpr double kCellsPerTile = 8.0;
-
-double total_area_m2(const Zone& zone) {
-  return std::accumulate(zone.surfaces.begin(), zone.surfaces.end(), 0.0,
-                         [](double sum, const Surface& s) { return sum + s.polygon.area_m2(); });
-}
 
 std::uint64_t key_at(const Zone& zone, const Vec3& p, const Vec3& n) {
   std::uint64_t key = 0;
@@ -82,12 +76,14 @@ Receiver cell_receiver(const Zone& zone, const Cells& cells, std::size_t cell) {
 
 std::vector<PairIntegrator> make_integrators(const Zone& zone, const std::vector<Emitter>& emitters,
                                              const Obstructions& obstructions, bool in_the_way) {
-  const double area_m2 = total_area_m2(zone);
+  std::vector<double> typical_lx;  // of the luminaires, which come before their images
   std::vector<PairIntegrator> integrators;
   integrators.reserve(emitters.size());
   for (const auto& emitter : emitters) {
     PairOptions options;
-    options.mean_lx = emitter.fitting->intensity.flux_lm() / area_m2;
+    if (emitter.mirrors.empty())
+      typical_lx.push_back(typical_illuminance_lx(obstructions.caster(), emitter.luminaire, *emitter.fitting));
+    options.typical_lx = typical_lx[emitter.original];
     options.in_the_way = in_the_way;
     integrators.emplace_back(zone, obstructions.caster(), obstructions.shadows(), emitter, options);
   }

@@ -46,6 +46,24 @@ FirstFlight fly(const Zone& zone, const RayCaster& caster, const Luminaire& lumi
 
 }  // namespace
 
+double typical_illuminance_lx(const RayCaster& caster, const Luminaire& luminaire, const Fitting& fitting) {
+  constexpr int kRays = 256;
+  const LowDiscrepancy4 points(0);
+  double total_cd = 0.0, sum = 0.0;
+  for (std::uint64_t i = 0; i < kRays; ++i) {
+    const auto x = points(i);
+    const Vec3 local = on_sphere(x[0], x[1]);
+    const double cd = fitting.intensity.at(local);
+    if (!(cd > 0.0)) continue;
+    const Vec3 from = luminaire.at + luminaire.to_world(sample(luminaire.opening, {x[2], x[3]}));
+    const Hit hit = caster.nearest(from, luminaire.to_world(local));
+    if (hit.plate < 0) continue;
+    total_cd += cd;
+    sum += cd * std::log(cd / (hit.t * hit.t));
+  }
+  return total_cd > 0.0 ? std::exp(sum / total_cd) : 0.0;
+}
+
 std::vector<FirstFlight> first_flights(const Zone& zone, const Lights& lights, int n_rays, const Job& job) {
   const Obstructions obstructions(zone, lights);
   std::vector<FirstFlight> fates(lights.luminaires.size());

@@ -58,13 +58,10 @@ struct PairIntegrator::Pair {
 
 // The chance of one pair: a stream of points, each used once.
 struct PairIntegrator::Chance {
-  explicit Chance(std::uint64_t stream) : points(stream), turn(mix(stream)) {}
+  explicit Chance(std::uint64_t stream) : points(stream) {}
   LowDiscrepancy4 points;
-  std::uint64_t turn;
   std::uint64_t next = 0;
   std::array<double, 4> draw() { return points(next++); }
-  // Angle of the line that goes with the point drawn last, evenly over half a turn.
-  double angle_rad() const { return kPi * unit_from(turn + next * 0x9E3779B97F4A7C15ULL); }
 };
 
 struct PairIntegrator::Shadows {
@@ -137,7 +134,8 @@ DirectEstimate PairIntegrator::mean(const Receiver& receiver, PlatesBetween& bet
   const double free_lx = free(pair, 0);
   if (!(free_lx > 0.0) || !test_visibility_) return {free_lx, 0.0};
   Chance chance(receiver.stream ^ stream_);
-  const double importance = options_.mean_lx > 0.0 ? std::min(1.0, free_lx / options_.mean_lx) : 1.0;
+  const double importance = 
+      options_.typical_lx > 0.0 && !receiver.is_point() ? std::min(1.0, free_lx / options_.typical_lx) : 1.0;
   const double lines = std::max(1.0, options_.shadow_lines * importance);
   const bool ray = receiver.is_point() && opening.ring.size() == 1;
   if (ray || lines < kFewLines || !emitter_.mirrors.empty())
@@ -358,38 +356,68 @@ bool PairIntegrator::lines_on_cell(const Pair& pair, const std::vector<int>& pla
   return pair.cell.radius_m * (1.0 - along) > pair.opening.radius_m * along;
 }
 
+// Of four directions the one along which lines differ least in how much of them is hidden: across the edges of
+// the shadow rather than along them.
+Vec3 PairIntegrator::line_direction(const ConvexRing& ring, const Vec3& eye, const std::vector<int>& plates,
+                                    ShadowPlates::LooksFrom looks_from, Intervals& hidden) const {
+  if (ring.size() < 3) return Vec3(0.0);
+  constexpr int kLines = 4;
+  const Vec3 e1 = glm::normalize(ring[1] - ring[0]);
+  const Vec3 e2 = glm::normalize(glm::cross(glm::cross(e1, ring[ring.size() - 1] - ring[0]), e1));
+  Vec3 best(0.0);
+  double least = 1e300;
+  for (const Vec3& along : {e1, e2, e1 + e2, e1 - e2}) {
+    const Vec3 across = glm::dot(along, e2) * e1 - glm::dot(along, e1) * e2;
+    double low = 1e300, high = -1e300;
+    for (const Vec3& corner : ring) {
+      low = std::min(low, glm::dot(corner, across));
+      high = std::max(high, glm::dot(corner, across));
+    }
+    const Vec3 middle = ring.middle();
+    double sum = 0.0, squares = 0.0;
+    for (int i = 0; i < kLines; ++i) {
+      const double offset = low + (high - low) * (i + 0.5) / kLines - glm::dot(middle, across);
+      const auto line = ring.chord(middle + offset / glm::dot(across, across) * across, along);
+      hidden.clear();
+      for (const int plate : plates) plates_.add_hidden(plate, eye, line[0], line[1], looks_from, hidden);
+      hidden.merge();
+      double share = 0.0;
+      for (const auto& part : hidden.parts()) share += part.high - part.low;
+      sum += share;
+      squares += share * share;
+    }
+    const double spread = squares / kLines - sum * sum / (kLines * kLines);
+    if (spread >= least) continue;
+    least = spread;
+    best = along;
+  }
+  return best;
+}
+
 DirectEstimate PairIntegrator::by_lines(const Pair& pair, double free_lx, const std::vector<int>& plates, int n,
                                         Shadows& shadows) const {
   const bool on_cell = lines_on_cell(pair, plates);
   const ConvexRing& ring = on_cell ? pair.cell.ring : pair.opening.ring;
   const ConvexRing& eyes = on_cell ? pair.opening.ring : pair.cell.ring;
-  Vec3 e1(0.0), e2(0.0);
-  if (ring.size() > 2) {
-    e1 = glm::normalize(ring[1] - ring[0]);
-    e2 = glm::normalize(glm::cross(glm::cross(e1, ring[ring.size() - 1] - ring[0]), e1));
-  }
+  const auto looks_from = on_cell ? ShadowPlates::LooksFrom::segment : ShadowPlates::LooksFrom::eye;
+  const Vec3 along = line_direction(ring, on_cell ? pair.opening.middle : pair.cell.middle, plates, looks_from, shadows.hidden);
   const double share = pair.cell.share * pair.opening.share;
   HalfSums sums;
-  for (int i = 0; i < n; ++i) {
-    const auto x = shadows.chance.draw();
-    const double angle = shadows.chance.angle_rad();
+  const FoldedLattice4 points(n, shadows.chance.draw());
+  for (std::uint64_t i = 0; i < points.size(); ++i) {
+    const auto x = points(i);
     const Vec3 eye = eyes.sample(x[0], x[1]);
-    const auto line = ring.chord(ring.sample(x[2], x[3]), std::cos(angle) * e1 + std::sin(angle) * e2);
-    const auto mean_of = [&](double low, double high) {  // times its length: Gauss, three points
-      constexpr double kOuter = 0.7745966692414834;
-      const double middle = 0.5 * (low + high), half = 0.5 * (high - low);
+    const auto line = ring.chord(ring.sample(x[2], x[3]), along);
+    const auto mean_of = [&](double low, double high) {  // times its length: Gauss, two points
       double sum = 0.0;
-      for (const auto& [at, weight] : {std::pair{-kOuter, 5.0}, {0.0, 8.0}, {kOuter, 5.0}}) {
-        const Vec3 on_line = line[0] + (middle + at * half) * (line[1] - line[0]);
-        sum += weight / 18.0 *
-               (on_cell ? illuminance(pair.normal, on_line, eye) : illuminance(pair.normal, eye, on_line));
+      for (const double at : {0.5 - 0.28867513459481287, 0.5 + 0.28867513459481287}) {
+        const Vec3 on_line = line[0] + (low + at * (high - low)) * (line[1] - line[0]);
+        sum += on_cell ? illuminance(pair.normal, on_line, eye) : illuminance(pair.normal, eye, on_line);
       }
-      return sum * (high - low);
+      return 0.5 * sum * (high - low);
     };
     shadows.hidden.clear();
-    for (const int plate : plates)
-      plates_.add_hidden(plate, eye, line[0], line[1],
-                         on_cell ? ShadowPlates::LooksFrom::segment : ShadowPlates::LooksFrom::eye, shadows.hidden);
+    for (const int plate : plates) plates_.add_hidden(plate, eye, line[0], line[1], looks_from, shadows.hidden);
     shadows.hidden.merge();
     const double free = mean_of(0.0, 1.0);
     double visible = free;

@@ -35,10 +35,10 @@ struct PlatesBetween {
 };
 
 struct PairOptions {
-  /// Lines along which the visible share of a pair is found where something is in the way, for a pair that
-  /// brings its source's mean illuminance or more; of pairs that bring less, in proportion fewer.
-  int shadow_lines = 64;
-  double mean_lx = 0.0;      ///< of the emitter's own light over the zone's surfaces; 0: every pair gets all
+  /// Lines along which the visible share of a pair is found where something is in the way. A cell that gets
+  /// less than the emitter's typical illuminance has in proportion fewer; points have all.
+  int shadow_lines = 128;
+  double typical_lx = 0.0;   ///< see `typical_illuminance_lx`; 0: every cell has all
   bool in_the_way = true;    ///< false where nothing can be: visibility is not tested (mirrors' edges are)
 };
 
@@ -103,6 +103,8 @@ class PairIntegrator {
                           Shadows& shadows) const;
   DirectEstimate by_rays(const Pair& pair, double free_lx, int n, int skip, Chance& chance) const;
   bool lines_on_cell(const Pair& pair, const std::vector<int>& plates) const;
+  Vec3 line_direction(const ConvexRing& ring, const Vec3& eye, const std::vector<int>& plates,
+                      ShadowPlates::LooksFrom looks_from, Intervals& hidden) const;
   bool blocked(const Vec3& receiver, const Vec3& on_opening, int skip) const;
 
   const Zone& zone_;
