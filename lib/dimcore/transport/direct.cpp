@@ -90,7 +90,7 @@ DirectLight direct_light(const Zone& zone, const Cells& cells, const Lights& lig
   const auto add_to = [&](std::vector<double>& sums) {
     return [&](std::size_t i, std::size_t e, double lx) { sums[i * n_sources + source_of[e]] += lx; };
   };
-  direct_light(zone, cells, lights, make_emitters(zone, lights, {}, 0), obstructions.caster(),
+  direct_light(zone, cells, lights, own_emitters(lights), obstructions.caster(),
                add_to(result.cell_lx), add_to(result.point_lx), job);
   return result;
 }
