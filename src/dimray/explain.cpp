@@ -19,10 +19,16 @@ void explain(Program& program, const ModelPlan& plan) {
                     list(plan.off_specular), plan.n_off_specular_cells, plan.n_lobe_patches));
   if (plan.mirrors.empty())
     say("no mirror: rays end where they first meet a surface, no images of luminaires");
-  else
-    say(fmt::format(
-        "mirrors: {}; rays go on there ({:.2g} % of their light met too many), {} images of luminaires",
-        list(plan.mirrors), 100.0 * plan.mirror_rays_cut_off, plan.n_images));
+  else {
+    say(fmt::format("mirrors: {}; rays go on there ({:.2g} % of their light met too many)",
+                    list(plan.mirrors), 100.0 * plan.mirror_rays_cut_off));
+    say(
+        fmt::format("{} images of luminaires, on cells {} deep, {:.2g} % of a source's light followed from "
+                    "the last on by "
+                    "{} rays; at points good to {:.2g} % (--mirror-depth)",
+                    plan.n_images, plan.mirror_depth, 100.0 * plan.mirror_rays_share, plan.n_mirror_rays,
+                    100.0 * plan.images_uncertain));
+  }
   say(plan.n_classes < plan.n_bands
           ? fmt::format("{} bands, of which {} reflect differently: {} solved (--full bands)", plan.n_bands,
                         plan.n_classes, plan.n_classes)

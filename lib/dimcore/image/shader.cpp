@@ -7,8 +7,8 @@ namespace dim {
 namespace {
 
 constexpr int kRoundCorners = 48;
-constexpr int kMostMirrors = 16;      // that a line of sight goes on at
-constexpr int kImageDepth = 3;        // mirrors that luminaires are imaged in for direct light point by point
+constexpr double kUnseen = 1e-3;      // of what a line of sight shows, left after mirrors: it ends there,
+constexpr int kMostMirrors = 1000;    // and where nothing is taken by any
 constexpr int kShadowLines = 64;      // from each luminaire to a pixel, over all its samples
 constexpr int kHighlightPaths = 144;  // the same for lobes
 
@@ -96,7 +96,10 @@ void Shader::make_lamps(const Mix& mix) {
     if (!zone_.surfaces[s].outside && mirror_[static_cast<std::size_t>(zone_.surfaces[s].finish)])
       mirrors.push_back(static_cast<int>(s));
   }
-  for (auto& emitter : make_emitters(zone_, lights_, mirrors, kImageDepth)) {
+  // As deep as the solution went: what it brought deeper is in the interpolated part.
+  std::vector<int> depth;
+  for (const auto& luminaire : database_.luminaires()) depth.push_back(luminaire.mirror_depth);
+  for (auto& emitter : make_emitters(zone_, lights_, mirrors, depth)) {
     if (mix[database_.luminaires()[emitter.original].source] > 0.0) emitters_.push_back(std::move(emitter));
   }
   for (const auto& luminaire : database_.luminaires())
@@ -132,17 +135,14 @@ void Shader::add_direct(std::size_t surface, const Vec2& local, std::uint64_t ch
   const int n_paths = std::max(1, kHighlightPaths / n_samples_);
   for (std::size_t e = 0; e < emitters_.size(); ++e) {
     const auto& emitter = emitters_[e];
+    if (emitter.beam.misses({&frame.origin, 1}, obstructions_->caster().tolerance_m())) continue;
     const double factor = factor_[emitter.original];
     const std::size_t first = channels_.first_of(database_.luminaires()[emitter.original].source);
     Light tint(channels_.n_bands(), factor);
-    if (!emitter.mirrors.empty()) {
-      const auto cosines = mirror_cosines(zone_, emitter, frame.origin, emitter.luminaire.at);
-      for (std::size_t m = 0; m < cosines.size(); ++m) {
-        const auto mirror = static_cast<std::size_t>(emitter.mirrors[cosines.size() - 1 - m]);
-        const auto& bands = reflection_[static_cast<std::size_t>(zone_.surfaces[mirror].finish)];
-        for (std::size_t b = 0; b < tint.size(); ++b) tint[b] *= bands[b].fresnel(cosines[m]);
-      }
-    }
+    tint_by_mirrors(zone_, emitter, glm::normalize(emitter.luminaire.at - frame.origin), tint,
+                    [&](std::size_t b, int of) -> const BandReflection& {
+                      return reflection_[static_cast<std::size_t>(of)][b];
+                    });
     if (shading_ == Shading::gather) {
       const double lx = integrators_[e].mean(receiver).lx;
       for (std::size_t b = 0; b < tint.size() && lx > 0.0; ++b)
@@ -209,12 +209,11 @@ Shader::Seen Shader::seen(const Vec3& eye, const Vec3& direction, std::uint64_t 
     }
     const auto finish = static_cast<std::size_t>(surface.finish);
     if (!mirror_[finish]) return seen;
-    const Vec3& n = surface.polygon.frame().n;
-    const double cosine = std::clamp(-glm::dot(along, n), 0.0, 1.0);
-    for (std::size_t c = 0; c < tint.size(); ++c)
-      tint[c] *= reflection_[finish][channels_.band(c)].fresnel(cosine);
     from += hit.t * along;
-    along = glm::normalize(along + 2.0 * cosine * n);
+    const double left = meet_mirror(
+        surface.polygon.frame().n, along, tint,
+        [&](std::size_t c) -> const BandReflection& { return reflection_[finish][channels_.band(c)]; });
+    if (left < kUnseen) return seen;
     skip = hit.plate;
   }
   return seen;

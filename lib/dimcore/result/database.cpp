@@ -89,18 +89,22 @@ Json description(const Lights& lights, const Solution& solution) {
                                   {"flux_lm", fitting.intensity.flux_lm()},
                                   {"watts", fitting.watts},
                                   {"mean_intensity_cd", mean_intensity(fitting.intensity)}});
-  for (const auto& l : lights.luminaires)
-    json["luminaires"].push_back({{"name", l.name},
-                                  {"source", source_of(solution, l.name)},
-                                  {"at", to_json(l.at)},
-                                  {"c0", to_json(l.c0)},
-                                  {"c90", to_json(l.c90)},
-                                  {"aim", to_json(l.aim)},
-                                  {"opening_shape", static_cast<int>(l.opening.shape)},
-                                  {"opening_m", {l.opening.length_m, l.opening.width_m, l.opening.height_m}},
-                                  {"photometry", l.fitting},
-                                  {"body", l.body},
-                                  {"factor", l.factor}});
+  for (std::size_t i = 0; i < lights.luminaires.size(); ++i) {
+    const auto& l = lights.luminaires[i];
+    json["luminaires"].push_back(
+        {{"name", l.name},
+         {"source", source_of(solution, l.name)},
+         {"at", to_json(l.at)},
+         {"c0", to_json(l.c0)},
+         {"c90", to_json(l.c90)},
+         {"aim", to_json(l.aim)},
+         {"opening_shape", static_cast<int>(l.opening.shape)},
+         {"opening_m", {l.opening.length_m, l.opening.width_m, l.opening.height_m}},
+         {"photometry", l.fitting},
+         {"body", l.body},
+         {"factor", l.factor},
+         {"mirror_depth", i < solution.mirror_depth.size() ? solution.mirror_depth[i] : 0}});
+  }
   return json;
 }
 
@@ -118,7 +122,9 @@ ShownLuminaire luminaire_from_json(const Json& l, std::size_t n_sources, std::si
   shown.photometry = l.at("photometry");
   shown.factor = l.at("factor");
   shown.body = l.at("body");
-  if (shown.source >= n_sources || shown.photometry >= n_photometry) throw std::out_of_range("luminaire");
+  shown.mirror_depth = l.at("mirror_depth");
+  if (shown.source >= n_sources || shown.photometry >= n_photometry || shown.mirror_depth < 0)
+    throw std::out_of_range("luminaire");
   return shown;
 }
 

@@ -21,7 +21,8 @@ struct ShownLuminaire {
   LuminousOpening opening;
   std::size_t photometry = 0;  ///< index into LuminanceDatabase::photometry
   double factor = 1.0;
-  bool body = false;  ///< the opening also obstructs
+  bool body = false;     ///< the opening also obstructs
+  int mirror_depth = 0;  ///< mirrors one after the other that the cells' direct light has images of it in
 };
 
 /// Mean intensity over C at each degree of gamma from 0 to 180, cd.

@@ -5,28 +5,14 @@
 
 #include <map>
 
+#include "network/stream_key.hpp"
+
 namespace dim {
 namespace {
 
 // Neighbouring cells of a surface, up to this many along each of its axes, that share the search for what is
 // in the way.
 constexpr double kCellsPerTile = 8.0;
-
-std::uint64_t key_at(const Zone& zone, const Vec3& p, const Vec3& n) {
-  std::uint64_t key = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    key = mix(key ^ static_cast<std::uint64_t>(std::llround(1e7 * p[axis] / zone.diameter_m)));
-    key = mix(key ^ static_cast<std::uint64_t>(std::llround(1e6 * n[axis])));
-  }
-  return key;
-}
-std::uint64_t cell_key(const Zone& zone, const Cells& cells, std::size_t i) {
-  const Frame& f = zone.surfaces[cells.surface_of(i)].polygon.frame();
-  return key_at(zone, f.to_world(cells[i].centroid), f.n);
-}
-std::uint64_t point_key(const Zone& zone, std::size_t i) {
-  return key_at(zone, zone.points[i].position, zone.points[i].normal);
-}
 
 struct Tile {
   std::vector<std::size_t> cells;
@@ -76,14 +62,11 @@ Receiver cell_receiver(const Zone& zone, const Cells& cells, std::size_t cell) {
 
 std::vector<PairIntegrator> make_integrators(const Zone& zone, const std::vector<Emitter>& emitters,
                                              const Obstructions& obstructions, bool in_the_way) {
-  std::vector<double> typical_lx;  // of the luminaires, which come before their images
   std::vector<PairIntegrator> integrators;
   integrators.reserve(emitters.size());
   for (const auto& emitter : emitters) {
     PairOptions options;
-    if (emitter.mirrors.empty())
-      typical_lx.push_back(typical_illuminance_lx(obstructions.caster(), emitter.luminaire, *emitter.fitting));
-    options.typical_lx = typical_lx[emitter.original];
+    options.typical_lx = obstructions.typical_lx(emitter.original);
     options.in_the_way = in_the_way;
     integrators.emplace_back(zone, obstructions.caster(), obstructions.shadows(), emitter, options);
   }
@@ -134,7 +117,7 @@ DirectLight direct_light(const Zone& zone, const Cells& cells, const Lights& lig
       sums[i * n_sources + source_of[e]] += direct.lx;
     };
   };
-  const auto emitters = make_emitters(zone, lights, {}, 0);
+  const auto emitters = own_emitters(lights);
   direct_light(zone, cells, emitters, make_integrators(zone, emitters, obstructions), add_to(result.cell_lx),
                add_to(result.point_lx), job);
   return result;

@@ -19,11 +19,14 @@ class Obstructions {
   Obstructions(const Zone& zone, const Lights& lights);
   const RayCaster& caster() const { return caster_; }
   const ShadowPlates& shadows() const { return shadows_; }
+  /// See `typical_illuminance_lx`.
+  double typical_lx(std::size_t luminaire) const { return typical_lx_[luminaire]; }
 
  private:
   std::vector<Polygon> bodies_;
   RayCaster caster_;
   ShadowPlates shadows_;
+  std::vector<double> typical_lx_;
 };
 
 /// Direct illuminance of every cell (area average) and measuring point from every source (a sum of

@@ -30,6 +30,10 @@ std::vector<Plate> all_plates(const Zone& zone, const std::vector<Polygon>& pane
 
 Obstructions::Obstructions(const Zone& zone, const Lights& lights)
     : bodies_(bodies(lights)), caster_(all_plates(zone, bodies_), zone.diameter_m),
-      shadows_(all_plates(zone, bodies_), zone.diameter_m) {}
+      shadows_(all_plates(zone, bodies_), zone.diameter_m) {
+  for (const auto& luminaire : lights.luminaires)
+    typical_lx_.push_back(typical_illuminance_lx(
+        caster_, luminaire, lights.fittings[static_cast<std::size_t>(luminaire.fitting)]));
+}
 
 }  // namespace dim

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "network/stream_key.hpp"
 #include "transport/spherical_rectangle.hpp"
 
 namespace dim {
@@ -27,18 +28,6 @@ constexpr int kMostShadowHalvings = 8;
 constexpr int kFewLines = 4;
 // Towards grazing, intensity and projected area of an opening both vanish.
 constexpr double kLeastCosine = 0.02;
-
-std::uint64_t key_of(const Zone& zone, const Luminaire& luminaire) {
-  std::uint64_t key = 0;
-  const auto add = [&](double x) { key = mix(key ^ static_cast<std::uint64_t>(std::llround(1e7 * x))); };
-  const double unit = zone.diameter_m > 0.0 ? 1.0 / zone.diameter_m : 1.0;
-  for (int axis = 0; axis < 3; ++axis) {
-    add(luminaire.at[axis] * unit);
-    add(luminaire.aim[axis]);
-    add(luminaire.c0[axis]);
-  }
-  return key;
-}
 
 }  // namespace
 
@@ -83,7 +72,7 @@ PairIntegrator::PairIntegrator(const Zone& zone, const RayCaster& caster, const 
       fitting_(*emitter.fitting),
       options_(options),
       test_visibility_(options.in_the_way || !emitter.mirrors.empty()),
-      stream_(key_of(zone, emitter.luminaire)),
+      stream_(mix(place_key(emitter.luminaire.at, emitter.luminaire.aim, zone.diameter_m))),
       opening_(opening_region(emitter.luminaire)),
       beam_(kNear) {
   // A beam must not fall between the points: parts are to be small against its width, too.

@@ -234,9 +234,9 @@ Solution simulate(const Zone& zone, const Cells& cells, const Network& network, 
   check_shine_size(shine, n_columns, n_sources * options.bands.size(), job);
   const auto flights = source_flights(zone, network, lights, sources, job, warnings);
   const bool in_the_way = options.always_test_visibility || !is_convex_and_empty(zone, lights);
-  DirectColumns direct =
-      direct_columns(zone, cells, network, lights, classes, shine, obstructions,
-                     sources.of_luminaire, n_sources, options.mirror_depth, in_the_way, job);
+  DirectColumns direct = direct_columns(zone, cells, network, lights, classes, shine, obstructions,
+                                        sources.of_luminaire, n_sources,
+                                        {options.gather.tolerance, options.mirror_depth}, in_the_way, job);
   std::vector<double> reflectance(zone.surfaces.size() * n_columns);
   std::vector<std::size_t> class_of_column(n_columns);
   for (std::size_t c = 0; c < n_columns; ++c) class_of_column[c] = c / n_sources;
@@ -249,6 +249,19 @@ Solution simulate(const Zone& zone, const Cells& cells, const Network& network, 
   const auto in_columns = [&](const std::vector<double>& values) {
     return by_class ? values : repeat_columns(values, n_sources, n_classes);
   };
+  Solution solution;
+  solution.bands = options.bands;
+  solution.sources = std::move(sources.sources);
+  solution.n_cells = cells.size();
+  solution.n_points = zone.points.size();
+  solution.n_reflectance_classes = n_classes;
+  solution.plan = make_plan(zone, cells, network, lights, classes, shine, n_sources, direct, in_the_way);
+  Assembly assembly(solution, classes);
+  solution.cell_direct = assembly.spread(direct.cell, cells.size(), direct.n_columns, by_class);
+  solution.point_direct = assembly.spread(direct.point, zone.points.size(), direct.n_columns, by_class);
+  solution.directional.direct = assembly.spread_states(direct.shine.psi, shine.grid());
+  solution.mirror_depth = direct.mirror_depth;
+  direct.add_followed();
   const GatherShine gather_shine{shine, zone, direct.shine, class_of_column};
   const auto* shiny = shine.any() ? &gather_shine : nullptr;
   Gathered gathered = options.solver == Solver::gather
@@ -260,24 +273,13 @@ Solution simulate(const Zone& zone, const Cells& cells, const Network& network, 
     gathered.columns[c].absorbed -= direct.shine.mirrored[c] + direct.shine.not_followed[c];
     gathered.columns[c].dropped += direct.shine.not_followed[c];
     gathered.columns[c].escaped += direct.shine.escaped[c];
+    gathered.columns[c].error_bound += direct.uncertain[c];
   }
 
-  Solution solution;
-  solution.bands = options.bands;
-  solution.sources = std::move(sources.sources);
-  solution.n_cells = cells.size();
-  solution.n_points = zone.points.size();
-  solution.n_reflectance_classes = n_classes;
-  solution.plan =
-      make_plan(zone, cells, network, lights, classes, shine, n_sources, direct.n_images, in_the_way);
-  Assembly assembly(solution, classes);
-  solution.cell_direct = assembly.spread(direct.cell, cells.size(), direct.n_columns, by_class);
-  solution.point_direct = assembly.spread(direct.point, zone.points.size(), direct.n_columns, by_class);
   solution.cell_total = assembly.spread(gathered.cell, cells.size(), n_columns, true);
   solution.point_total = assembly.spread(gathered.point, zone.points.size(), n_columns, true);
   solution.directional.grid = shine.grid();
   solution.directional.cells = shine.off_specular();
-  solution.directional.direct = assembly.spread_states(direct.shine.psi, shine.grid());
   solution.directional.total = assembly.spread_states(gathered.psi, shine.grid());
   assembly.add_energy(gathered.columns, flights);
   return solution;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,9 @@ struct SimulationOptions {
   /// each band even where bands reflect alike.
   bool always_test_visibility = false;
   bool solve_every_band = false;
-  int mirror_depth = 3;  ///< mirrors one after the other that luminaires are imaged in
+  /// Mirrors one after the other that luminaires are imaged in; as many as the tolerance of the iteration
+  /// asks for where it is not given.
+  std::optional<int> mirror_depth;
 };
 
 /// Where one source's flux in one band went, W. `imbalance` is what is left of emitted after absorbed,
@@ -53,7 +56,8 @@ struct Source {
   std::vector<EnergyBalance> energy;  ///< [n_bands]
   int iterations = 0;
   double residual = 0.0;
-  double error_bound = 0.0;  ///< truncation of inter-reflection, relative to the mean irradiance
+  /// Truncation of inter-reflection, relative to the mean irradiance, and of images of luminaires at points.
+  double error_bound = 0.0;
 };
 
 /// Light by direction from off-specular cells, W/(m2 sr) per band: the mean radiance by their lobes into each
@@ -76,6 +80,7 @@ struct Solution {
   std::size_t n_reflectance_classes = 0;
   Directional directional;
   ModelPlan plan;
+  std::vector<int> mirror_depth;  ///< [n_luminaires] that cells have images of each in; empty: none
 
   std::size_t cell_row(std::size_t source, std::size_t band) const {
     return (source * bands.size() + band) * n_cells;
