@@ -37,8 +37,14 @@ double total_flux_lm(const Lights& lights) {
 Receiver cell_receiver(const Zone& zone, const Cells& cells, std::size_t cell) {
   const auto surface = cells.surface_of(cell);
   const auto& polygon = zone.surfaces[surface].polygon;
-  return {&polygon.frame(),          &polygon,  cells[cell].whole,
-          static_cast<int>(surface), mix(cell), &cells[cell].centroid};
+  return {&polygon.frame(),
+          &polygon,
+          cells[cell].whole,
+          static_cast<int>(surface),
+          mix(cell),
+          &cells[cell].centroid,
+          &cells.grid(surface),
+          static_cast<int>(cell - cells.first(surface))};
 }
 
 std::vector<PairIntegrator> make_integrators(const Zone& zone, const Lights& lights,

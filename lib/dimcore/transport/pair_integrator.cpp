@@ -70,7 +70,7 @@ PairIntegrator::Path PairIntegrator::path(const Receiver& receiver, const Part& 
   const Vec2 local = seen.sample(x[0], x[1]);
   path.at = receiver.frame->to_world(local);
   path.towards = glm::normalize(q - path.at);
-  if (!receiver.whole && !receiver.polygon->contains(local)) return path;
+  if (!receiver.whole && !receiver.contains(local)) return path;
   const double cd = fitting_.intensity.at(luminaire_.to_local(path.at - q));
   if (cd > 0.0 && !blocked(path.at, q, receiver.skip))
     path.lx = cd * seen.solid_angle_sr() / (pair[0].length() * pair[1].length());
@@ -197,7 +197,7 @@ void PairIntegrator::probe(Probe& sum, int n, const Receiver& receiver, const Pa
   for (; sum.n < n; ++sum.n) {
     const auto x = chance.draw();
     const Vec2 local(part[0].at(x[0]), part[1].at(x[1]));
-    if (!receiver.whole && !receiver.polygon->contains(local)) continue;
+    if (!receiver.whole && !receiver.contains(local)) continue;
     ++sum.n_inside;
     const Vec3 p = receiver.frame->to_world(local), q = on_opening(part[2].at(x[2]), part[3].at(x[3]));
     const double lx = unshadowed(receiver, p, q);
@@ -233,7 +233,7 @@ PairIntegrator::Sum PairIntegrator::close(const Receiver& receiver, const Part& 
   Sum sum;
   for (int i = 0; i < kCloseRays; ++i) {
     const auto x = chance.draw();
-    if (receiver.whole || receiver.polygon->contains({part[0].at(x[0]), part[1].at(x[1])}))
+    if (receiver.whole || receiver.contains({part[0].at(x[0]), part[1].at(x[1])}))
       sum.weight += 1.0 / kCloseRays;
     const Vec3 q = on_opening(part[2].at(x[2]), part[3].at(x[3]));
     // In the plane of the cell there is nothing to see of it but rounding.
@@ -241,7 +241,7 @@ PairIntegrator::Sum PairIntegrator::close(const Receiver& receiver, const Part& 
     const SphericalRectangle seen(*receiver.frame, low, high, q);
     if (!(seen.solid_angle_sr() > 0.0)) continue;
     const Vec2 local = seen.sample(x[0], x[1]);
-    if (!receiver.whole && !receiver.polygon->contains(local)) continue;
+    if (!receiver.whole && !receiver.contains(local)) continue;
     const Vec3 p = receiver.frame->to_world(local);
     const double cd = fitting_.intensity.at(luminaire_.to_local(p - q));
     if (cd > 0.0 && !blocked(p, q, receiver.skip)) sum.value += cd * seen.solid_angle_sr();

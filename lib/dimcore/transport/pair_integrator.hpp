@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "base/low_discrepancy.hpp"
+#include "geometry/cell_grid.hpp"
 #include "transport/emitter.hpp"
 
 namespace dim {
@@ -27,11 +28,15 @@ inline Part whole_pair(const Vec2& low, const Vec2& high) {
 /// Where direct light is received: a cell, or a measuring point (a part without extent).
 struct Receiver {
   const Frame* frame;
-  const Polygon* polygon;  ///< null for a measuring point
-  bool whole;              ///< every point of the rectangle belongs to the cell
-  int skip;                ///< plate it lies on
-  std::uint64_t stream;    ///< its own chance
-  const Vec2* centroid;    ///< of the cell's clipped region; null for a measuring point
+  const Polygon* polygon;          ///< null for a measuring point
+  bool whole;                      ///< every point of the rectangle belongs to the cell
+  int skip;                        ///< plate it lies on
+  std::uint64_t stream;            ///< its own chance
+  const Vec2* centroid;            ///< of the cell's clipped region; null for a measuring point
+  const CellGrid* grid = nullptr;  ///< that the cell is of
+  int cell = -1;                   ///< its number there
+
+  bool contains(const Vec2& p) const { return polygon->contains(p) && grid->cell_at(p) == cell; }
 };
 
 /// The direct light of one emitter on any receiver, see `direct_light`. Mirrors reflect it whole: what they

@@ -179,7 +179,7 @@ bool Shine::follow(const Ray& ray, int skip, const RayCaster& caster, OnLanding&
     const auto s = static_cast<std::size_t>(hit.plate);
     if (s >= zone_.surfaces.size() || zone_.surfaces[s].outside) return false;
     const Surface& surface = zone_.surfaces[s];
-    const std::size_t cell = cells_.first(s) + static_cast<std::size_t>(cells_.grid(s).cell_at(hit.local));
+    const std::size_t cell = cells_.cell_hit(s, hit.local, direction);
     on_landing(cell, direction, tint, met);
     if (of_surface_[s] != Shininess::mirror) return false;
     if (met == depth_) return true;
