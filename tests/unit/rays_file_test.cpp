@@ -139,13 +139,29 @@ TEST_CASE("A network that names cells out of range is refused", "[network][unit]
   CHECK_FALSE(refused([](Network& n) { n.extra.weight.pop_back(); }, true).empty());
 }
 
+TEST_CASE("A network whose cells are not those of its zone is refused in one line", "[network][unit]") {
+  const Folder folder;
+  const std::string path = folder / "a.rays";
+  Zone zone = zone_with_points();
+  const Cells cells(zone);
+  const Network network = coarse_network(zone, {});
+  const auto message = [&] {
+    save_rays(path, zone, cells, network);
+    return io_error([&] { load_rays(path); });
+  };
+  REQUIRE(message().empty());
+  // A panel has come in since, whose foot divides cells of the floor.
+  test::add_surface(zone, "panel", {{0.1, 0.1, -1}, {0.1, 0.4, -1}, {0.1, 0.4, 0}, {0.1, 0.1, 0}}, 0, 0.5);
+  CHECK(message().find("its cells are not those") != std::string::npos);
+}
+
 TEST_CASE("A network file with a seed that is no number is refused", "[network][unit]") {
   const Folder folder;
   const std::string path = folder / "a.rays";
   Hdf5Writer file("rays", kRaysVersion);
-  store_zone(file, box_zone({2, 2, 2}, 0.5, 2.0));
-  const std::vector<double> area(6, 4.0);
-  file.dataset("/cells/area", std::span<const double>(area), {6}, "m2");
+  const Zone zone = box_zone({2, 2, 2}, 0.5, 2.0);
+  store_zone(file, zone);
+  store_cells(file, zone, Cells(zone));
   for (const char* name : {"slices", "sectors", "point_slices", "point_sectors", "escaped_rays", "back_rays"})
     file.attribute("/network", name, 1);
   file.attribute("/network", "imbalance", 0.0);

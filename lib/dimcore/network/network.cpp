@@ -35,14 +35,15 @@ class RowTracer {
       const PatchSlice directions(patches, slice);
       for (int sector = 0; sector < patches.n_sectors; ++sector, ++patch) {
         const Ray ray = rays.ray(patches, directions, slice, sector);
-        store(patch, sink_of(caster_.nearest(ray.from, ray.direction, rays.skip()), counts));
+        const Hit hit = caster_.nearest(ray.from, ray.direction, rays.skip());
+        store(patch, sink_of(hit, ray.direction, counts));
       }
     }
     return counts;
   }
 
  private:
-  std::uint32_t sink_of(const Hit& hit, RowCounts& counts) const {
+  std::uint32_t sink_of(const Hit& hit, const Vec3& direction, RowCounts& counts) const {
     const auto nothing = static_cast<std::uint32_t>(cells_.size());
     if (hit.plate < 0) {
       ++counts.escaped;
@@ -53,8 +54,7 @@ class RowTracer {
       ++(hit.back ? counts.back : counts.escaped);
       return nothing;
     }
-    return static_cast<std::uint32_t>(cells_.first(surface)) +
-           static_cast<std::uint32_t>(cells_.grid(surface).cell_at(hit.local));
+    return static_cast<std::uint32_t>(cells_.cell_hit(surface, hit.local, direction));
   }
 
   const Zone& zone_;

@@ -55,8 +55,9 @@ Receiver cell_receiver(const Zone& zone, const Cells& cells, std::size_t cell) {
   const auto surface = cells.surface_of(cell);
   const Frame& frame = zone.surfaces[surface].polygon.frame();
   Receiver receiver{&frame, {}, static_cast<int>(surface), cell_key(zone, cells, cell)};
-  const Vec2 lo = cells[cell].low, hi = cells[cell].high;
-  for (const Vec2& p : {lo, Vec2(hi.x, lo.y), hi, Vec2(lo.x, hi.y)}) receiver.ring.add(frame.to_world(p));
+  Ring2 corners;
+  cells.outline(cell, corners);
+  for (const Vec2& p : corners) receiver.ring.add(frame.to_world(p));
   return receiver;
 }
 

@@ -4,10 +4,10 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <span>
 
 #include "transport/cell_light.hpp"
 #include "transport/direct_lobes.hpp"
@@ -192,15 +192,12 @@ class Builder {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells_.size(), 8), [&](const auto& range) {
       for (std::size_t i = range.begin(); i != range.end() && !job.stopped(); ++i) {
         const Receiver receiver = cell_receiver(zone_, cells_, i);
-        const Vec2 low = cells_[i].low, high = cells_[i].high;
-        const Frame& frame = *receiver.frame;
-        const std::array corners{frame.to_world(low), frame.to_world({high.x, low.y}), frame.to_world(high),
-                                 frame.to_world({low.x, high.y})};
+        const std::span corners(receiver.ring.begin(), receiver.ring.end());
         for (std::size_t e = 0; e < order.emitters.size(); ++e) {
           const auto& emitter = order.emitters[e];
           if (emitter.beam.misses(corners, tolerance_m)) continue;
           on_cell({i, &emitter, &order.integrators[e],
-                   emitter.luminaire.factor * order.integrators[e].mean(receiver, whole_pair(low, high))});
+                   emitter.luminaire.factor * order.integrators[e].mean(receiver).lx});
         }
       }
     });

@@ -45,7 +45,7 @@ class MirrorWalk {
       const auto s = static_cast<std::size_t>(hit.plate);
       if (hit.plate < 0 || hit.back || s >= zone_.surfaces.size() || zone_.surfaces[s].outside)
         return add(fate.escaped, flux);
-      on_landing(cells_.first(s) + static_cast<std::size_t>(cells_.grid(s).cell_at(hit.local)), direction,
+      on_landing(cells_.cell_hit(s, hit.local, direction), direction,
                  flux);
       if (shine_.of_surface(s) != Shininess::mirror) return;
       at += hit.t * direction;
