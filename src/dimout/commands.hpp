@@ -14,6 +14,7 @@ namespace dim {
 struct DatabaseInput {
   std::string path;
   std::vector<std::string> mix;
+  std::vector<std::string> spectra;
   std::string output = "-";
   bool by_source = false;
   bool json = false;
@@ -23,6 +24,9 @@ struct DatabaseInput {
 CLI::App* add_command(Program& program, DatabaseInput& input, const std::string& name,
                       const std::string& what, const std::string& example);
 void add_table_options(CLI::App& command, DatabaseInput& input, bool by_source);
+
+/// The database, its sources' spectra replaced where --spectrum asks for it.
+LuminanceDatabase open_database(Program& program, const DatabaseInput& input);
 
 /// The factors that --mix asks for.
 Mix mix_of(const LuminanceDatabase& database, const DatabaseInput& input);

@@ -124,7 +124,7 @@ void ImageCommand::render() {
   picture.false_colour.title = quantity_ == "illuminance" ? "Illuminance" : "Luminance";
 
   program_.stage("read");
-  const LuminanceDatabase database(input_.path, program_.job());
+  const LuminanceDatabase database = open_database(program_, input_);
   const Cells cells(database.zone());
   RenderOptions options;
   options.view = chosen_view(database.zone());

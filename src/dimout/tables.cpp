@@ -61,7 +61,7 @@ bool TableCommands::run() {
 }
 
 void TableCommands::info() {
-  const LuminanceDatabase database(input_.path, program_.job());
+  const LuminanceDatabase database = open_database(program_, input_);
   const Zone& zone = database.zone();
   nlohmann::ordered_json json = {{"zone", zone.name},
                                  {"surfaces", zone.surfaces.size()},
@@ -93,7 +93,7 @@ void TableCommands::info() {
 }
 
 void TableCommands::surfaces() {
-  const LuminanceDatabase database(input_.path, program_.job());
+  const LuminanceDatabase database = open_database(program_, input_);
   const Cells cells(database.zone());
   Table table(columns_with_source(input_, {"surface", "area_m2", "illuminance_mean_lx", "illuminance_min_lx",
                                            "illuminance_max_lx", "luminance_mean_cd_m2", "cie_x", "cie_y"}));
@@ -112,7 +112,7 @@ void TableCommands::surfaces() {
 }
 
 void TableCommands::cells() {
-  const LuminanceDatabase database(input_.path, program_.job());
+  const LuminanceDatabase database = open_database(program_, input_);
   const Zone& zone = database.zone();
   const Cells cells(zone);
   const auto appearance = cell_appearance(database, cells, mix_of(database, input_));
@@ -127,7 +127,7 @@ void TableCommands::cells() {
 }
 
 void TableCommands::grid() {
-  const LuminanceDatabase database(input_.path, program_.job());
+  const LuminanceDatabase database = open_database(program_, input_);
   const Zone& zone = database.zone();
   const auto sets = chosen_sets(zone, plane_, input_.path);
   if (sets.empty()) program_.say("the zone has no measuring planes or sensors");

@@ -9,7 +9,7 @@ std::string list(const std::vector<std::string>& names) { return fmt::format("{}
 
 }  // namespace
 
-void explain(Program& program, const ModelPlan& plan) {
+void explain(Program& program, const ModelPlan& plan, const BandChoice& bands) {
   const auto say = [&](const std::string& line) { program.say("explain: " + line); };
   if (!plan.diffusing.empty()) say("diffusing finishes: " + list(plan.diffusing));
   if (plan.off_specular.empty())
@@ -22,18 +22,18 @@ void explain(Program& program, const ModelPlan& plan) {
   else {
     say(fmt::format("mirrors: {}; rays go on there ({:.2g} % of their light met too many)",
                     list(plan.mirrors), 100.0 * plan.mirror_rays_cut_off));
-    say(
-        fmt::format("{} images of luminaires, on cells {} deep, {:.2g} % of a source's light followed from "
-                    "the last on by "
-                    "{} rays; at points good to {:.2g} % (--mirror-depth)",
-                    plan.n_images, plan.mirror_depth, 100.0 * plan.mirror_rays_share, plan.n_mirror_rays,
-                    100.0 * plan.images_uncertain));
+    say(fmt::format(
+        "{} images of luminaires, on cells {} deep, {:.2g} % of a source's light followed from the last on by "
+        "{} rays; at points good to {:.2g} % (--mirror-depth)",
+        plan.n_images, plan.mirror_depth, 100.0 * plan.mirror_rays_share, plan.n_mirror_rays,
+        100.0 * plan.images_uncertain));
   }
-  say(plan.n_classes < plan.n_bands
-          ? fmt::format("{} bands, of which {} reflect differently: {} solved (--full bands)", plan.n_bands,
-                        plan.n_classes, plan.n_classes)
-          : (plan.n_bands == 1 ? std::string("1 band")
-                               : fmt::format("{} bands, solved apart", plan.n_bands)));
+  say(in_words(bands));
+  if (plan.n_bands > 1)
+    say(plan.n_classes < plan.n_bands
+            ? fmt::format("{} of the wavebands reflect differently and are solved (--full bands)",
+                          plan.n_classes)
+            : "all wavebands reflect differently and are solved");
   say(fmt::format("{} luminaires in {} sources (--combine), {} spectra", plan.n_luminaires, plan.n_sources,
                   plan.n_spectra));
   if (!plan.without_spectrum.empty())

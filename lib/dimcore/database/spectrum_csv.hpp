@@ -10,12 +10,17 @@
 namespace dim {
 
 enum class WavelengthUnit { found, nanometre, micrometre };
-enum class ValueUnit { found, fraction, percent };
+enum class ValueUnit {
+  found,
+  fraction,
+  percent,
+  relative  ///< of power: any scale, at least 0
+};
 
 /// A measured spectrum: one curve a column after the wavelength's.
 struct SpectrumTable {
   std::vector<std::string> names;     ///< of the columns after the first; empty texts without a header line
-  std::vector<SpectralCurve> curves;  ///< 0..1 over nm
+  std::vector<SpectralCurve> curves;  ///< 0..1 over nm, relative power on the file's own scale
   bool micrometres = false;           ///< what was found or asked for
   bool percent = false;
 };

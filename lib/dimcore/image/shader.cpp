@@ -63,12 +63,11 @@ Shader::Shader(const LuminanceDatabase& database, const Cells& cells, const Mix&
       channels_(database, mix),
       field_(database, cells, mix, channels_, shading != Shading::cell, shading == Shading::gather),
       mirror_(zone_.finishes.size(), false) {
-  const auto& bands = database.bands();
-  for (const auto& finish : zone_.finishes) {
+  for (std::size_t f = 0; f < zone_.finishes.size(); ++f) {
     reflection_.emplace_back();
-    for (std::size_t b = 0; b < bands.size(); ++b)
-      reflection_.back().push_back(band_reflection(finish, bands.low_nm(b), bands.high_nm(b)));
-    mirror_[reflection_.size() - 1] = finish.specular > 0.0;
+    for (const std::size_t klass : database.classes().of_band)
+      reflection_.back().push_back(database.classes().at(klass, static_cast<int>(f)));
+    mirror_[f] = zone_.finishes[f].specular > 0.0;
   }
   facets_.resize(zone_.finishes.size());
   for (const auto cell : database.off_specular_cells()) {

@@ -53,6 +53,7 @@ class RowRays {
     return ray(patches, PatchSlice(patches, slice), slice, sector);
   }
 
+  const Frame& frame() const { return frame_; }
   /// Surface that rays start on and cannot meet, -1 for a point.
   int skip() const { return skip_; }
 

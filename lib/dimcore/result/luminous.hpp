@@ -11,6 +11,12 @@ namespace dim {
 /// Factor on each source's light. [n_sources], 1 where not asked for.
 using Mix = std::vector<double>;
 
+/// The sources of that name or group.
+/// @param option  that the name was given to, for the message
+/// @throws InputError  unknown name
+std::vector<std::size_t> sources_named(const std::string& name, const std::vector<Source>& sources,
+                                       const std::string& option);
+
 /// Mix from `NAME=FACTOR` texts; NAME is a source, a group (all its sources) or a luminaire that is a source
 /// of its own. A later text overrides an earlier one.
 /// @throws InputError  unknown name, factor not a number >= 0

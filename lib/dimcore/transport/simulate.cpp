@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "transport/assembly.hpp"
+#include "transport/auto_bands.hpp"
 #include "transport/direct_columns.hpp"
 
 namespace dim {
@@ -15,9 +17,10 @@ constexpr std::size_t kBlockBytes = 32 * 4 * sizeof(double);  // a block of colu
 constexpr int kProbeRays = 1024;                              // to notice a luminaire in the wrong place
 constexpr int kBalanceRays = 32768;  // to say what share of its light leaves the zone
 
-void check_finishes(const Zone& zone, const Bands& bands) {
+void check_finishes(const Zone& zone, const Bands& bands, const ReflectanceClasses& classes) {
   Problems problems;
-  for (const auto& finish : zone.finishes) {
+  for (std::size_t f = 0; f < zone.finishes.size(); ++f) {
+    const auto& finish = zone.finishes[f];
     if (finish.kind == FinishKind::glazing) {
       problems.add(
           {}, fmt::format("finish '{}' is a glazing; this version models opaque finishes only", finish.name),
@@ -25,7 +28,7 @@ void check_finishes(const Zone& zone, const Bands& bands) {
       continue;
     }
     for (std::size_t b = 0; b < bands.size(); ++b) {
-      const double rho = band_reflection(finish, bands.low_nm(b), bands.high_nm(b)).diffuse;
+      const double rho = classes.at(classes.of_band[b], static_cast<int>(f)).diffuse;
       if (!(rho < 1.0))
         problems.add(
             {},
@@ -85,83 +88,12 @@ std::vector<double> repeat_columns(const std::vector<double>& values, std::size_
   return result;
 }
 
-class Assembly {
- public:
-  Assembly(Solution& solution, const ReflectanceClasses& classes) : solution_(solution), classes_(classes) {}
-
-  // From [n, columns] in lux units to [source, band, n] in W/m2.
-  std::vector<float> spread(const std::vector<double>& columns, std::size_t n, std::size_t n_columns,
-                            bool by_class) const {
-    const std::size_t n_sources = solution_.sources.size(), n_bands = solution_.bands.size();
-    std::vector<float> result(n_sources * n_bands * n);
-    tbb::parallel_for(std::size_t{0}, n_sources * n_bands, [&](std::size_t row) {
-      const std::size_t s = row / n_bands, b = row % n_bands;
-      const double watts = band_watts_per_lumen(s, b);
-      const std::size_t column = (by_class ? classes_.of_band[b] * n_sources : 0) + s;
-      for (std::size_t i = 0; i < n; ++i)
-        result[row * n + i] = static_cast<float>(columns[i * n_columns + column] * watts);
-    });
-    return result;
-  }
-
-  // From [states, columns] flux per area to [source, band, state] radiance.
-  std::vector<float> spread_states(const std::vector<float>& columns, const PatchGrid& grid) const {
-    const std::size_t n_sources = solution_.sources.size(), n_bands = solution_.bands.size();
-    const std::size_t n_columns = n_sources * classes_.size(),
-                      n = columns.size() / std::max<std::size_t>(n_columns, 1);
-    const auto n_sectors = static_cast<std::size_t>(grid.n_sectors);
-    std::vector<float> result(n_sources * n_bands * n);
-    tbb::parallel_for(std::size_t{0}, n_sources * n_bands, [&](std::size_t row) {
-      const std::size_t s = row / n_bands, b = row % n_bands;
-      const std::size_t column = classes_.of_band[b] * n_sources + s;
-      for (std::size_t i = 0; i < n; ++i) {
-        const double w = grid.weight_sr(static_cast<int>(i % grid.n_patches() / n_sectors));
-        result[row * n + i] = static_cast<float>(static_cast<double>(columns[i * n_columns + column]) *
-                                                 band_watts_per_lumen(s, b) / w);
-      }
-    });
-    return result;
-  }
-
-  double band_watts_per_lumen(std::size_t s, std::size_t b) const {
-    const auto& weights = solution_.sources[s].weights;
-    return weights.share[b] / weights.efficacy_lm_W;
-  }
-
-  void add_energy(const std::vector<ColumnReport>& columns, const std::vector<FirstFlight>& flights) {
-    const std::size_t n_sources = solution_.sources.size();
-    for (std::size_t s = 0; s < n_sources; ++s) {
-      Source& source = solution_.sources[s];
-      for (std::size_t b = 0; b < solution_.bands.size(); ++b) {
-        const auto& column = columns[classes_.of_band[b] * n_sources + s];
-        const double watts = band_watts_per_lumen(s, b);
-        EnergyBalance energy;
-        energy.emitted_W = source.flux_lm * watts;
-        energy.absorbed_W = column.absorbed * watts;
-        energy.escaped_W = (column.escaped + flights[s].escaped * source.flux_lm) * watts;
-        energy.lost_W = flights[s].lost * source.flux_lm * watts;
-        energy.dropped_W = column.dropped * watts;
-        const double accounted = energy.absorbed_W + energy.escaped_W + energy.lost_W + energy.dropped_W;
-        energy.imbalance = energy.emitted_W > 0.0 ? 1.0 - accounted / energy.emitted_W : 0.0;
-        source.energy.push_back(energy);
-        source.iterations = std::max(source.iterations, column.iterations);
-        source.residual = std::max(source.residual, column.residual);
-        source.error_bound = std::max(source.error_bound, column.error_bound);
-      }
-    }
-  }
-
- private:
-  Solution& solution_;
-  const ReflectanceClasses& classes_;
-};
-
 void check_size(std::size_t n_cells, std::size_t n_points, std::size_t n_sources, std::size_t n_classes,
                 std::size_t n_bands, const Job& job) {
   constexpr double kGiB = 1024.0 * 1024.0 * 1024.0;
-  const std::size_t columns = n_sources * n_classes;
-  const std::size_t needed = (n_cells + n_points) * (columns * 3 * sizeof(double) +
-                                                     n_sources * n_bands * 2 * sizeof(float) + kBlockBytes);
+  const std::size_t needed =
+      (n_cells + n_points) *
+      (n_sources * n_classes * (3 * sizeof(double) + 2 * sizeof(float)) + kBlockBytes);
   if (needed > job.memory_limit_bytes)
     throw LimitError(
         fmt::format("{} cells and points x {} sources x {} bands need {:.2f} GiB, {:.2f} GiB are free; use "
@@ -170,11 +102,11 @@ void check_size(std::size_t n_cells, std::size_t n_points, std::size_t n_sources
                     static_cast<double>(job.memory_limit_bytes) / kGiB));
 }
 
-void check_shine_size(const Shine& shine, std::size_t n_columns, std::size_t n_rows, const Job& job) {
+void check_shine_size(const Shine& shine, std::size_t n_columns, const Job& job) {
   constexpr double kGiB = 1024.0 * 1024.0 * 1024.0;
   constexpr std::size_t kPerLink = 40;
   const std::size_t needed =
-      shine.n_states() * (2 * sizeof(float) * (n_columns + n_rows) + kBlockBytes + kPerLink);
+      shine.n_states() * (4 * sizeof(float) * n_columns + kBlockBytes + kPerLink);
   if (needed > job.memory_limit_bytes)
     throw LimitError(fmt::format(
         "light by direction of {} off-specular cells x {} patches needs {:.2f} GiB, {:.2f} GiB are free; use "
@@ -222,16 +154,18 @@ std::vector<FirstFlight> source_flights(const Zone& zone, const Network& network
 
 Solution simulate(const Zone& zone, const Cells& cells, const Network& network, const Lights& lights,
                   const SimulationOptions& options, const Job& job, Warnings& warnings) {
-  check_finishes(zone, options.bands);
+  const LampSpectra lamps = lamp_spectra(lights);
+  const LatticeValues seen = luminous_weights(lamps.spectra, lamps.flux_lm);
+  const ReflectanceClasses classes = classify(zone, options.bands, options.solve_every_band, &seen);
+  check_finishes(zone, options.bands, classes);
   Sources sources = make_sources(lights, options.bands, options.combine);
-  const ReflectanceClasses classes = classify(zone, options.bands, options.solve_every_band);
   const std::size_t n_sources = sources.sources.size(), n_classes = classes.size();
   const std::size_t n_columns = n_sources * n_classes;
   check_size(cells.size(), zone.points.size(), n_sources, n_classes, options.bands.size(), job);
 
   const Obstructions obstructions(zone, lights);
   const Shine shine(zone, cells, network, classes, obstructions.caster(), MirrorRayOptions{}, job);
-  check_shine_size(shine, n_columns, n_sources * options.bands.size(), job);
+  check_shine_size(shine, n_columns, job);
   const auto flights = source_flights(zone, network, lights, sources, job, warnings);
   const bool in_the_way = options.always_test_visibility || !is_convex_and_empty(zone, lights);
   DirectColumns direct = direct_columns(zone, cells, network, lights, classes, shine, obstructions,
@@ -254,12 +188,12 @@ Solution simulate(const Zone& zone, const Cells& cells, const Network& network, 
   solution.sources = std::move(sources.sources);
   solution.n_cells = cells.size();
   solution.n_points = zone.points.size();
-  solution.n_reflectance_classes = n_classes;
+  solution.classes = classes;
+  solution.n_direct_classes = by_class ? n_classes : 1;
   solution.plan = make_plan(zone, cells, network, lights, classes, shine, n_sources, direct, in_the_way);
-  Assembly assembly(solution, classes);
-  solution.cell_direct = assembly.spread(direct.cell, cells.size(), direct.n_columns, by_class);
-  solution.point_direct = assembly.spread(direct.point, zone.points.size(), direct.n_columns, by_class);
-  solution.directional.direct = assembly.spread_states(direct.shine.psi, shine.grid());
+  solution.cell_direct = rows_of_columns(direct.cell, n_sources, direct.n_columns);
+  solution.point_direct = rows_of_columns(direct.point, n_sources, direct.n_columns);
+  solution.directional.direct = rows_of_states(direct.shine.psi, shine.grid(), n_sources, n_columns);
   solution.mirror_depth = direct.mirror_depth;
   direct.add_followed();
   const GatherShine gather_shine{shine, zone, direct.shine, class_of_column};
@@ -276,12 +210,13 @@ Solution simulate(const Zone& zone, const Cells& cells, const Network& network, 
     gathered.columns[c].error_bound += direct.uncertain[c];
   }
 
-  solution.cell_total = assembly.spread(gathered.cell, cells.size(), n_columns, true);
-  solution.point_total = assembly.spread(gathered.point, zone.points.size(), n_columns, true);
+  solution.cell_total = rows_of_columns(gathered.cell, n_sources, n_columns);
+  solution.point_total = rows_of_columns(gathered.point, n_sources, n_columns);
   solution.directional.grid = shine.grid();
   solution.directional.cells = shine.off_specular();
-  solution.directional.total = assembly.spread_states(gathered.psi, shine.grid());
-  assembly.add_energy(gathered.columns, flights);
+  solution.directional.total = rows_of_states(gathered.psi, shine.grid(), n_sources, n_columns);
+  add_energy(solution, gathered.columns, flights);
+  check_storable(solution);
   return solution;
 }
 
