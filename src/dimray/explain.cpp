@@ -30,6 +30,9 @@ void explain(Program& program, const ModelPlan& plan) {
                                : fmt::format("{} bands, solved apart", plan.n_bands)));
   say(fmt::format("{} luminaires in {} sources (--combine), {} spectra", plan.n_luminaires, plan.n_sources,
                   plan.n_spectra));
+  say(plan.n_bodies == 0 ? std::string("no luminaire has a body: the network's rays are as they are stored")
+                         : fmt::format("{} luminaire bodies with {} cells stand among the network's rays",
+                                       plan.n_bodies, plan.n_body_cells));
   if (!plan.without_spectrum.empty())
     say("fittings without a spectrum, taken as equal-energy white: " + list(plan.without_spectrum));
   say("no glazing: no sky");

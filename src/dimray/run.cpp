@@ -197,6 +197,7 @@ Exit SolveCommand::report(const RaysFile& rays, const Solution& solution, const 
   if (explain_) explain(program_, solution.plan);
   stats["zone"] = rays.zone.name;
   stats["solver"] = solver_;
+  stats["luminaire_bodies"] = solution.plan.n_bodies;
   stats["luminaire_images"] = solution.plan.n_images;
   stats["mirror_rays_cut_off"] = solution.plan.mirror_rays_cut_off;
   stats["cells"] = solution.n_cells;

@@ -2,10 +2,13 @@
 
 namespace dim {
 
-Cells::Cells(const Zone& zone) {
+Cells::Cells(const Zone& zone) : first_{0} { add_surfaces_from(0, zone); }
+
+Cells::Cells(const Cells& cells, const Zone& zone) : Cells(cells) { add_surfaces_from(n_surfaces(), zone); }
+
+void Cells::add_surfaces_from(std::size_t first, const Zone& zone) {
   grids_.reserve(zone.surfaces.size());
-  first_.push_back(0);
-  for (std::size_t s = 0; s < zone.surfaces.size(); ++s) {
+  for (std::size_t s = first; s < zone.surfaces.size(); ++s) {
     const auto& surface = zone.surfaces[s];
     grids_.emplace_back(surface.polygon, surface.cell_m, surface.grid);
     const std::size_t n = surface.outside ? 0 : grids_.back().cells().size();
@@ -14,12 +17,14 @@ Cells::Cells(const Zone& zone) {
   }
 }
 
-std::vector<Plate> plates_of(const Zone& zone) {
+std::vector<Plate> plates_of(std::span<const Surface> surfaces) {
   std::vector<Plate> plates;
-  plates.reserve(zone.surfaces.size());
-  for (const auto& surface : zone.surfaces)
+  plates.reserve(surfaces.size());
+  for (const auto& surface : surfaces)
     plates.push_back({&surface.polygon, surface.twin >= 0, surface.fills_rectangle});
   return plates;
 }
+
+std::vector<Plate> plates_of(const Zone& zone) { return plates_of(std::span(zone.surfaces)); }
 
 }  // namespace dim

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/cell_grid.hpp"
@@ -16,6 +17,10 @@ class Cells {
   /// External obstructions get no cells.
   explicit Cells(const Zone& zone);
 
+  /// The given cells under their own numbers, then those of the surfaces that `zone` has beyond the ones they
+  /// were made of.
+  Cells(const Cells& cells, const Zone& zone);
+
   std::size_t size() const { return surface_of_.size(); }
   std::size_t n_surfaces() const { return grids_.size(); }
   /// Cells of surface s are [first(s), first(s + 1)).
@@ -29,12 +34,17 @@ class Cells {
   double area_m2(std::size_t cell) const { return (*this)[cell].area_m2; }
 
  private:
+  void add_surfaces_from(std::size_t first, const Zone& zone);
+
   std::vector<CellGrid> grids_;
   std::vector<std::size_t> first_;
   std::vector<std::uint32_t> surface_of_;
 };
 
-/// The zone's surfaces as plates, plate index = surface index.
+/// The surfaces as plates, plate index = surface index. They must outlive the plates' caster.
+std::vector<Plate> plates_of(std::span<const Surface> surfaces);
+
+/// The zone's surfaces as plates.
 std::vector<Plate> plates_of(const Zone& zone);
 
 }  // namespace dim

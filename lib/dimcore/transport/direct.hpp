@@ -63,14 +63,16 @@ struct FirstFlight {
 /// intensity. Shares no code with `direct_light` but the ray caster, so that the two check each other.
 std::vector<FirstFlight> first_flights(const Zone& zone, const Lights& lights, int n_rays, const Job& job);
 
-/// The zone's surfaces, then the bodies of luminaires that have one, as plates for a ray caster.
+/// The zone's surfaces, then the bodies of luminaires that have one, as plates for a ray caster. `simulate`
+/// needs no such bodies: it puts them into the zone (`add_bodies`).
 class Obstructions {
  public:
   Obstructions(const Zone& zone, const Lights& lights);
   const RayCaster& caster() const { return caster_; }
+  const std::vector<Surface>& bodies() const { return bodies_; }
 
  private:
-  std::vector<Polygon> bodies_;
+  std::vector<Surface> bodies_;
   RayCaster caster_;
 };
 

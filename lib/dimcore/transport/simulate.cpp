@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "network/with_bodies.hpp"
 #include "transport/direct_columns.hpp"
 
 namespace dim {
@@ -187,13 +188,11 @@ void check_shine_size(const Shine& shine, std::size_t n_columns, std::size_t n_r
 // The first flights of each source, luminaires weighted by flux; the long count only where light can leave.
 std::vector<FirstFlight> source_flights(const Zone& zone, const Network& network, const Lights& lights,
                                         const Sources& sources, const Job& job, Warnings& warnings) {
-  const bool bodies = std::any_of(lights.luminaires.begin(), lights.luminaires.end(),
-                                  [](const Luminaire& luminaire) { return luminaire.body; });
   const auto probes = first_flights(zone, lights, kProbeRays, job);
   // A few rays in a million that slip past an edge do not make a zone open.
   constexpr double kLeak = 1e-4;
   const double n_rays = static_cast<double>(network.sinks.n_rays());
-  bool leaves = bodies || static_cast<double>(network.n_escaped_rays + network.n_back_rays) > kLeak * n_rays;
+  bool leaves = static_cast<double>(network.n_escaped_rays + network.n_back_rays) > kLeak * n_rays;
   for (std::size_t l = 0; l < probes.size(); ++l) {
     const auto& luminaire = lights.luminaires[l];
     const double off = probes[l].escaped + probes[l].lost;
@@ -219,10 +218,10 @@ std::vector<FirstFlight> source_flights(const Zone& zone, const Network& network
   return flights;
 }
 
-}  // namespace
-
-Solution simulate(const Zone& zone, const Cells& cells, const Network& network, const Lights& lights,
-                  const SimulationOptions& options, const Job& job, Warnings& warnings) {
+// @param n_kept  cells of the solution: the first ones
+Solution simulate_room(const Zone& zone, const Cells& cells, const Network& network, const Lights& lights,
+                       std::size_t n_kept, const SimulationOptions& options, const Job& job,
+                       Warnings& warnings) {
   check_finishes(zone, options.bands);
   Sources sources = make_sources(lights, options.bands, options.combine);
   const ReflectanceClasses classes = classify(zone, options.bands, options.solve_every_band);
@@ -266,21 +265,34 @@ Solution simulate(const Zone& zone, const Cells& cells, const Network& network, 
   Solution solution;
   solution.bands = options.bands;
   solution.sources = std::move(sources.sources);
-  solution.n_cells = cells.size();
+  solution.n_cells = n_kept;
   solution.n_points = zone.points.size();
   solution.n_reflectance_classes = n_classes;
   solution.plan =
       make_plan(zone, cells, network, lights, classes, shine, n_sources, direct.n_images, in_the_way);
   Assembly assembly(solution, classes);
-  solution.cell_direct = assembly.spread(direct.cell, cells.size(), direct.n_columns, by_class);
+  solution.cell_direct = assembly.spread(direct.cell, n_kept, direct.n_columns, by_class);
   solution.point_direct = assembly.spread(direct.point, zone.points.size(), direct.n_columns, by_class);
-  solution.cell_total = assembly.spread(gathered.cell, cells.size(), n_columns, true);
+  solution.cell_total = assembly.spread(gathered.cell, n_kept, n_columns, true);
   solution.point_total = assembly.spread(gathered.point, zone.points.size(), n_columns, true);
   solution.directional.grid = shine.grid();
   solution.directional.cells = shine.off_specular();
   solution.directional.direct = assembly.spread_states(direct.shine.psi, shine.grid());
   solution.directional.total = assembly.spread_states(gathered.psi, shine.grid());
   assembly.add_energy(gathered.columns, flights);
+  return solution;
+}
+
+}  // namespace
+
+Solution simulate(const Zone& zone, const Cells& cells, const Network& network, const Lights& lights,
+                  const SimulationOptions& options, const Job& job, Warnings& warnings) {
+  const auto room = add_bodies(zone, cells, network, lights, job);
+  if (!room) return simulate_room(zone, cells, network, lights, cells.size(), options, job, warnings);
+  Solution solution = simulate_room(room->zone, room->cells, room->network, room->lights, room->n_zone_cells,
+                                    options, job, warnings);
+  solution.plan.n_bodies = room->n_bodies;
+  solution.plan.n_body_cells = room->cells.size() - room->n_zone_cells;
   return solution;
 }
 
