@@ -36,6 +36,9 @@ void explain(Program& program, const ModelPlan& plan, const BandChoice& bands) {
             : "all wavebands reflect differently and are solved");
   say(fmt::format("{} luminaires in {} sources (--combine), {} spectra", plan.n_luminaires, plan.n_sources,
                   plan.n_spectra));
+  say(plan.n_bodies == 0 ? std::string("no luminaire has a body: the network's rays are as they are stored")
+                         : fmt::format("{} luminaire bodies with {} cells stand among the network's rays",
+                                       plan.n_bodies, plan.n_body_cells));
   if (!plan.without_spectrum.empty())
     say("fittings without a spectrum, taken as equal-energy white: " + list(plan.without_spectrum));
   say("no glazing: no sky");

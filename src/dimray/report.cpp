@@ -61,6 +61,7 @@ nlohmann::json source_json(const Source& source) {
 void fill_stats(nlohmann::json& stats, const Solution& solution, const Totals& sum, const WorstBalance& worst) {
   stats["sources"] = nlohmann::json::array();
   for (const auto& source : solution.sources) stats["sources"].push_back(source_json(source));
+  stats["luminaire_bodies"] = solution.plan.n_bodies;
   stats["luminaire_images"] = solution.plan.n_images;
   stats["mirror_depth"] = solution.plan.mirror_depth;
   stats["mirror_rays"] = solution.plan.n_mirror_rays;

@@ -15,6 +15,7 @@ class ConvexRing {
   static constexpr int kMostCorners = 40;
 
   ConvexRing() = default;
+  explicit ConvexRing(const Vec3& point) { add(point); }
   ConvexRing(const ConvexRing& other) : n_(other.n_) { std::copy_n(other.corner_.data(), n_, corner_.data()); }
   ConvexRing& operator=(const ConvexRing& other) {
     n_ = other.n_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/cell_grid.hpp"
@@ -17,6 +18,10 @@ class Cells {
   Cells() = default;
   /// External obstructions get no cells.
   explicit Cells(const Zone& zone);
+
+  /// The given cells under their own numbers, then those of the surfaces that `zone` has beyond the ones they
+  /// were made of.
+  Cells(const Cells& cells, const Zone& zone);
 
   std::size_t size() const { return surface_of_.size(); }
   std::size_t n_surfaces() const { return grids_.size(); }
@@ -53,15 +58,20 @@ class Cells {
     const double length = glm::length(along);
     return length > 0.0 ? local - (back_m_ / length) * along : local;
   }
+  void add_surfaces_from(std::size_t first, const Zone& zone,
+                         const std::vector<std::vector<Segment2>>& joints);
 
   std::vector<CellGrid> grids_;
   std::vector<Axes> axes_;
-  std::vector<std::size_t> first_;
+  std::vector<std::size_t> first_;  // [n_surfaces + 1]
   std::vector<std::uint32_t> surface_of_;
   double back_m_ = 0.0;
 };
 
-/// The zone's surfaces as plates, plate index = surface index.
+/// The surfaces as plates, plate index = surface index. They must outlive the plates' caster.
+std::vector<Plate> plates_of(std::span<const Surface> surfaces);
+
+/// The zone's surfaces as plates.
 std::vector<Plate> plates_of(const Zone& zone);
 
 }  // namespace dim

@@ -40,7 +40,8 @@ struct Luminaire {
   Vec3 aim{0, 0, -1};       ///< gamma = 0
   double factor = 1.0;      ///< times the fitting's intensity: dim, lamp tilt, lumens or intensity asked for
   LuminousOpening opening;  ///< the fitting's, or what the lights file says instead
-  bool body = false;        ///< the opening also obstructs
+  bool body = false;        ///< the opening also obstructs and reflects, see scene/luminaire_body.hpp
+  double body_reflectance = 0.0;  ///< 0..1, not 1
   Place place;
 
   Vec3 to_local(const Vec3& direction) const {

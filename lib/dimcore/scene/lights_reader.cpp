@@ -11,6 +11,7 @@
 
 #include "database/fitting_entry.hpp"
 #include "database/toml_reader.hpp"
+#include "scene/luminaire_body.hpp"
 #include "scene/zone_frame.hpp"
 
 namespace dim {
@@ -67,7 +68,7 @@ class LightsReader {
     Luminaire luminaire;
     luminaire.place = table.place();
     luminaire.group = table.name("group").value_or(name.value_or(""));
-    luminaire.body = table.flag("body", false);
+    read_body(table, luminaire);
     table.require("at");
     const auto at = table.vec3("at");
     const bool aimed = read_aim(table, luminaire);
@@ -81,6 +82,10 @@ class LightsReader {
     table.refuse_unknown();
     if (!name || !at || !aimed || !lit) return;
     luminaire.name = *name;
+    if (luminaire.body && !has_body(luminaire))
+      warnings_.push_back({table.place("body"),
+                           fmt::format("{}: its opening has no area, so that it has no body", table.label()),
+                           "give its size: opening = [length, width]"});
     if (count && pitch)
       place_array(table, luminaire, *at, *count, *pitch);
     else
@@ -183,6 +188,23 @@ class LightsReader {
     luminaire.opening = opening;
   }
 
+  void read_body(const TomlTable& table, Luminaire& luminaire) {
+    const auto* node = table.node("body");
+    if (!node) return;
+    if (node->is_boolean()) {
+      luminaire.body = table.flag("body", false);
+      return;
+    }
+    if (!node->is_table())
+      return table.problem("body", "body must be true, false or a table",
+                           "write true for a black body, or { reflectance = 0.5 }");
+    const auto body = table.table("body", table.label() + ", body");
+    body->require("reflectance", "write body = true for a black one");
+    luminaire.body = true;
+    luminaire.body_reflectance = body->number_or("reflectance", kReflectance, 0.0);
+    body->refuse_unknown();
+  }
+
   void place_array(const TomlTable& table, const Luminaire& first, const Vec3& at, std::pair<int, int> count,
                    const std::vector<double>& pitch) {
     const auto n = static_cast<std::size_t>(count.first) * static_cast<std::size_t>(count.second);
@@ -221,6 +243,7 @@ class LightsReader {
           "positions are in the zone file's unit");
     }
     warn_if_on_surface(table, luminaire);
+    luminaire.at = clear_of_surfaces(luminaire, zone_);
     lights_.luminaires.push_back(std::move(luminaire));
   }
 

@@ -31,7 +31,7 @@ std::vector<float> transposed(std::size_t n, std::size_t n_sources, std::size_t 
 
 }  // namespace
 
-std::vector<float> rows_of_columns(const std::vector<double>& columns, std::size_t n_sources,
+std::vector<float> rows_of_columns(std::span<const double> columns, std::size_t n_sources,
                                    std::size_t n_columns) {
   const std::size_t n = n_columns ? columns.size() / n_columns : 0;
   return transposed(n, n_sources, n_columns,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "transport/direct.hpp"
@@ -11,7 +12,7 @@ namespace dim {
 /// Rows [source, class, i] in the precision stored from a solver's columns [i, class * n_sources + source].
 /// What ended below zero by rounding is zero.
 /// @param n_columns  n_sources times the number of classes that the columns have
-std::vector<float> rows_of_columns(const std::vector<double>& columns, std::size_t n_sources,
+std::vector<float> rows_of_columns(std::span<const double> columns, std::size_t n_sources,
                                    std::size_t n_columns);
 
 /// The same of light by direction, from flux per area into each patch to its mean per solid angle.

@@ -5,9 +5,11 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <span>
 
 #include "transport/assembly.hpp"
 #include "transport/auto_bands.hpp"
+#include "network/with_bodies.hpp"
 #include "transport/direct_columns.hpp"
 
 namespace dim {
@@ -118,13 +120,11 @@ void check_shine_size(const Shine& shine, std::size_t n_columns, const Job& job)
 // The first flights of each source, luminaires weighted by flux; the long count only where light can leave.
 std::vector<FirstFlight> source_flights(const Zone& zone, const Network& network, const Lights& lights,
                                         const Sources& sources, const Job& job, Warnings& warnings) {
-  const bool bodies = std::any_of(lights.luminaires.begin(), lights.luminaires.end(),
-                                  [](const Luminaire& luminaire) { return luminaire.body; });
   const auto probes = first_flights(zone, lights, kProbeRays, job);
   // A few rays in a million that slip past an edge do not make a zone open.
   constexpr double kLeak = 1e-4;
   const double n_rays = static_cast<double>(network.sinks.n_rays());
-  bool leaves = bodies || static_cast<double>(network.n_escaped_rays + network.n_back_rays) > kLeak * n_rays;
+  bool leaves = static_cast<double>(network.n_escaped_rays + network.n_back_rays) > kLeak * n_rays;
   for (std::size_t l = 0; l < probes.size(); ++l) {
     const auto& luminaire = lights.luminaires[l];
     const double off = probes[l].escaped + probes[l].lost;
@@ -150,10 +150,10 @@ std::vector<FirstFlight> source_flights(const Zone& zone, const Network& network
   return flights;
 }
 
-}  // namespace
-
-Solution simulate(const Zone& zone, const Cells& cells, const Network& network, const Lights& lights,
-                  const SimulationOptions& options, const Job& job, Warnings& warnings) {
+// @param n_kept  cells of the solution: the first ones
+Solution simulate_room(const Zone& zone, const Cells& cells, const Network& network, const Lights& lights,
+                       std::size_t n_kept, const SimulationOptions& options, const Job& job,
+                       Warnings& warnings) {
   const LampSpectra lamps = lamp_spectra(lights);
   const LatticeValues seen = luminous_weights(lamps.spectra, lamps.flux_lm);
   const ReflectanceClasses classes = classify(zone, options.bands, options.solve_every_band, &seen);
@@ -183,15 +183,18 @@ Solution simulate(const Zone& zone, const Cells& cells, const Network& network, 
   const auto in_columns = [&](const std::vector<double>& values) {
     return by_class ? values : repeat_columns(values, n_sources, n_classes);
   };
+  const auto kept = [&](const std::vector<double>& values, std::size_t width) {
+    return std::span(values).first(n_kept * width);
+  };
   Solution solution;
   solution.bands = options.bands;
   solution.sources = std::move(sources.sources);
-  solution.n_cells = cells.size();
+  solution.n_cells = n_kept;
   solution.n_points = zone.points.size();
   solution.classes = classes;
   solution.n_direct_classes = by_class ? n_classes : 1;
   solution.plan = make_plan(zone, cells, network, lights, classes, shine, n_sources, direct, in_the_way);
-  solution.cell_direct = rows_of_columns(direct.cell, n_sources, direct.n_columns);
+  solution.cell_direct = rows_of_columns(kept(direct.cell, direct.n_columns), n_sources, direct.n_columns);
   solution.point_direct = rows_of_columns(direct.point, n_sources, direct.n_columns);
   solution.directional.direct = rows_of_states(direct.shine.psi, shine.grid(), n_sources, n_columns);
   solution.mirror_depth = direct.mirror_depth;
@@ -210,13 +213,26 @@ Solution simulate(const Zone& zone, const Cells& cells, const Network& network, 
     gathered.columns[c].error_bound += direct.uncertain[c];
   }
 
-  solution.cell_total = rows_of_columns(gathered.cell, n_sources, n_columns);
+  solution.cell_total = rows_of_columns(kept(gathered.cell, n_columns), n_sources, n_columns);
   solution.point_total = rows_of_columns(gathered.point, n_sources, n_columns);
   solution.directional.grid = shine.grid();
   solution.directional.cells = shine.off_specular();
   solution.directional.total = rows_of_states(gathered.psi, shine.grid(), n_sources, n_columns);
   add_energy(solution, gathered.columns, flights);
   check_storable(solution);
+  return solution;
+}
+
+}  // namespace
+
+Solution simulate(const Zone& zone, const Cells& cells, const Network& network, const Lights& lights,
+                  const SimulationOptions& options, const Job& job, Warnings& warnings) {
+  const auto room = add_bodies(zone, cells, network, lights, job);
+  if (!room) return simulate_room(zone, cells, network, lights, cells.size(), options, job, warnings);
+  Solution solution = simulate_room(room->zone, room->cells, room->network, room->lights, room->n_zone_cells,
+                                    options, job, warnings);
+  solution.plan.n_bodies = room->n_bodies;
+  solution.plan.n_body_cells = room->cells.size() - room->n_zone_cells;
   return solution;
 }
 
