@@ -121,7 +121,7 @@ void ShineState::incoming(std::size_t cell, const std::vector<double>& exitance,
 std::vector<double> ShineState::reflect(const std::vector<double>& exitance) {
   const PatchGrid& grid = shine_.grid();
   const auto n_patches = grid.n_patches(), n_sectors = static_cast<std::size_t>(grid.n_sectors);
-  std::vector<double> next(psi_.size());
+  std::vector<double> next(psi_.size()), size_of_change(change_.size(), 0.0);
   for_off_specular([&](std::size_t g) {
     const std::size_t cell = shine_.off_specular()[g];
     const int finish = zone_.surfaces[cells_.surface_of(cell)].finish;
@@ -151,18 +151,23 @@ std::vector<double> ShineState::reflect(const std::vector<double>& exitance) {
       }
     }
     double* change = &change_[g * width_];
+    double* size = &size_of_change[g * width_];
     std::fill_n(change, width_, 0.0);
     for (std::size_t p = 0; p < n_patches; ++p) {
-      for (std::size_t c = 0; c < n_; ++c)
-        change[c] += out[p * width_ + c] - psi_[(g * n_patches + p) * width_ + c];
+      for (std::size_t c = 0; c < n_; ++c) {
+        const double by = out[p * width_ + c] - psi_[(g * n_patches + p) * width_ + c];
+        change[c] += by;
+        size[c] += std::abs(by);
+      }
     }
   });
   psi_ = std::move(next);
-  std::vector<double> largest(width_, 0.0);
+  std::vector<double> flux(width_, 0.0);
   for (std::size_t g = 0; g < shine_.n_off_specular(); ++g) {
-    for (std::size_t c = 0; c < n_; ++c) largest[c] = std::max(largest[c], std::abs(change_[g * width_ + c]));
+    const double area_m2 = cells_.area_m2(shine_.off_specular()[g]);
+    for (std::size_t c = 0; c < n_; ++c) flux[c] += area_m2 * size_of_change[g * width_ + c];
   }
-  return largest;
+  return flux;
 }
 
 ShineState::Power ShineState::power(const std::vector<double>& exitance) const {
@@ -222,10 +227,10 @@ double ShineState::largest_albedo(std::size_t surface, std::size_t column) const
   return *std::max_element(albedo.begin(), albedo.end());
 }
 
-void ShineState::copy_psi(std::vector<float>& psi) const {
+void ShineState::copy_psi(std::vector<float>& psi, const std::vector<bool>& wanted) const {
   for (std::size_t s = 0; s < shine_.n_states(); ++s) {
     for (std::size_t c = 0; c < n_; ++c)
-      psi[s * n_columns_ + first_ + c] = static_cast<float>(psi_[s * width_ + c]);
+      if (wanted[c]) psi[s * n_columns_ + first_ + c] = static_cast<float>(psi_[s * width_ + c]);
   }
 }
 

@@ -32,8 +32,8 @@ class ShineState {
   /// The same for measuring points. [n_points, width]
   void add_to_points(const std::vector<double>& exitance, std::vector<double>& sums) const;
 
-  /// New lobes from what comes in now. @returns the largest change of a cell's reflected flux per area, by
-  /// column
+  /// New lobes from what comes in now. @returns the sum of absolute changes of the flux that cells reflect into
+  /// each patch, by column
   std::vector<double> reflect(const std::vector<double>& exitance);
 
   /// Flux of each column that lobes and mirrors take up again, that leaves the zone, and of the last change.
@@ -46,8 +46,8 @@ class ShineState {
   /// hold no light).
   double largest_albedo(std::size_t surface, std::size_t column) const;
 
-  /// [n_states, n_columns] of the whole problem, this block's columns written.
-  void copy_psi(std::vector<float>& psi) const;
+  /// [n_states, n_columns] of the whole problem, those of this block's columns written that are wanted.
+  void copy_psi(std::vector<float>& psi, const std::vector<bool>& wanted) const;
   void set_psi(const std::vector<float>& psi);
 
  private:

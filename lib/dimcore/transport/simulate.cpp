@@ -73,34 +73,21 @@ Sources make_sources(const Lights& lights, const Bands& bands, Combine combine) 
   return result;
 }
 
-// Spreads [n, n_sources] over columns class * n_sources + source.
-std::vector<double> repeat_columns(const std::vector<double>& values, std::size_t n_sources,
-                                   std::size_t n_classes) {
-  if (n_classes == 1) return values;
-  const std::size_t n = n_sources ? values.size() / n_sources : 0;
-  std::vector<double> result(values.size() * n_classes);
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t q = 0; q < n_classes; ++q)
-      std::copy_n(&values[i * n_sources], n_sources, &result[(i * n_classes + q) * n_sources]);
-  }
-  return result;
-}
-
 class Assembly {
  public:
   Assembly(Solution& solution, const ReflectanceClasses& classes) : solution_(solution), classes_(classes) {}
 
   // From [n, columns] in lux units to [source, band, n] in W/m2.
-  std::vector<float> spread(const std::vector<double>& columns, std::size_t n, std::size_t n_columns,
-                            bool by_class) const {
+  std::vector<float> spread(const Columns<float>& columns) const {
     const std::size_t n_sources = solution_.sources.size(), n_bands = solution_.bands.size();
+    const std::size_t n = columns.n_rows();
     std::vector<float> result(n_sources * n_bands * n);
     tbb::parallel_for(std::size_t{0}, n_sources * n_bands, [&](std::size_t row) {
       const std::size_t s = row / n_bands, b = row % n_bands;
       const double watts = band_watts_per_lumen(s, b);
-      const std::size_t column = (by_class ? classes_.of_band[b] * n_sources : 0) + s;
+      const auto column = columns.column((classes_.of_band[b] * n_sources + s) % columns.n_columns());
       for (std::size_t i = 0; i < n; ++i)
-        result[row * n + i] = static_cast<float>(columns[i * n_columns + column] * watts);
+        result[row * n + i] = static_cast<float>(static_cast<double>(column[i]) * watts);
     });
     return result;
   }
@@ -238,25 +225,21 @@ Solution simulate(const Zone& zone, const Cells& cells, const Network& network, 
   DirectColumns direct =
       direct_columns(zone, cells, network, lights, classes, shine, obstructions.caster(),
                      sources.of_luminaire, n_sources, options.mirror_depth, in_the_way, job);
-  std::vector<double> reflectance(zone.surfaces.size() * n_columns);
-  std::vector<std::size_t> class_of_column(n_columns);
-  for (std::size_t c = 0; c < n_columns; ++c) class_of_column[c] = c / n_sources;
+  Reflectances reflectances{n_classes, std::vector<double>(zone.surfaces.size() * n_classes),
+                            std::vector<std::size_t>(n_columns)};
+  for (std::size_t c = 0; c < n_columns; ++c) reflectances.class_of_column[c] = c / n_sources;
   for (std::size_t surface = 0; surface < zone.surfaces.size(); ++surface) {
-    for (std::size_t c = 0; c < n_columns; ++c)
-      reflectance[surface * n_columns + c] =
-          classes.at(class_of_column[c], zone.surfaces[surface].finish).diffuse;
+    for (std::size_t q = 0; q < n_classes; ++q)
+      reflectances.of_surface[surface * n_classes + q] = classes.at(q, zone.surfaces[surface].finish).diffuse;
   }
-  const bool by_class = direct.n_columns == n_columns;
-  const auto in_columns = [&](const std::vector<double>& values) {
-    return by_class ? values : repeat_columns(values, n_sources, n_classes);
-  };
-  const GatherShine gather_shine{shine, zone, direct.shine, class_of_column};
+  const auto cell_direct = Columns<float>::from_rows(direct.cell, direct.n_columns);
+  const auto point_direct = Columns<float>::from_rows(direct.point, direct.n_columns);
+  const GatherShine gather_shine{shine, zone, direct.shine};
   const auto* shiny = shine.any() ? &gather_shine : nullptr;
-  Gathered gathered = options.solver == Solver::gather
-                          ? gather(network, cells, in_columns(direct.cell), in_columns(direct.point),
-                                   reflectance, n_columns, options.gather, job, shiny)
-                          : track(zone, network, cells, in_columns(direct.cell), in_columns(direct.point),
-                                  reflectance, n_columns, options.track, job, shiny);
+  auto gathered = options.solver == Solver::gather
+                      ? gather(network, cells, cell_direct, point_direct, reflectances, options.gather, job, shiny)
+                      : track(zone, network, cells, cell_direct, point_direct, reflectances, options.track, job,
+                              shiny);
   for (std::size_t c = 0; c < n_columns && shine.any(); ++c) {
     gathered.columns[c].absorbed -= direct.shine.mirrored[c] + direct.shine.not_followed[c];
     gathered.columns[c].dropped += direct.shine.not_followed[c];
@@ -272,10 +255,10 @@ Solution simulate(const Zone& zone, const Cells& cells, const Network& network, 
   solution.plan =
       make_plan(zone, cells, network, lights, classes, shine, n_sources, direct.n_images, in_the_way);
   Assembly assembly(solution, classes);
-  solution.cell_direct = assembly.spread(direct.cell, cells.size(), direct.n_columns, by_class);
-  solution.point_direct = assembly.spread(direct.point, zone.points.size(), direct.n_columns, by_class);
-  solution.cell_total = assembly.spread(gathered.cell, cells.size(), n_columns, true);
-  solution.point_total = assembly.spread(gathered.point, zone.points.size(), n_columns, true);
+  solution.cell_direct = assembly.spread(cell_direct);
+  solution.point_direct = assembly.spread(point_direct);
+  solution.cell_total = assembly.spread(gathered.cell);
+  solution.point_total = assembly.spread(gathered.point);
   solution.directional.grid = shine.grid();
   solution.directional.cells = shine.off_specular();
   solution.directional.direct = assembly.spread_states(direct.shine.psi, shine.grid());
