@@ -3,15 +3,7 @@
 #include <cstring>
 
 #include "base/error.hpp"
-
-// The compiler picks the widest version the machine has when the program starts. Sanitizers cannot run before
-// that choice is made, so their builds have the plain one only.
-#if defined(__x86_64__) && !defined(DIM_NO_TARGET_CLONES)
-#define DIM_TARGET_CLONES __attribute__((target_clones("default", "avx2", "avx512f")))
-#else
-#define DIM_TARGET_CLONES
-#endif
-#define DIM_INLINE inline __attribute__((always_inline))
+#include "base/target_clones.hpp"
 
 namespace dim {
 namespace {

@@ -1,71 +1,70 @@
 #pragma once
 
-#include <vector>
+#include <cstdint>
+#include <span>
 
 #include "geometry/ray_caster.hpp"
 #include "network/cells.hpp"
+#include "network/ray_pattern.hpp"
 #include "reflection/mirror.hpp"
-#include "transport/shine.hpp"
+#include "transport/surface_optics.hpp"
 
 namespace dim {
 
-/// What became of light that mirrors reflect, by class, lm.
-struct MirrorFate {
-  std::vector<double> reflected;  ///< by mirrors, all that is sent on
-  std::vector<double> escaped;    ///< of that, out of the zone or onto backs
-  std::vector<double>
-      not_followed;  ///< reflected, too, but given up: next to nothing was left, or no end seen
-
-  explicit MirrorFate(std::size_t n_classes = 0)
-      : reflected(n_classes, 0.0), escaped(n_classes, 0.0), not_followed(n_classes, 0.0) {}
+/// How far rays are followed from mirror to mirror.
+struct MirrorRayOptions {
+  double tolerance = 1e-4;  ///< until no class has more than this left of the ray's weight
+  int most = 1024;          ///< and at most so many mirrors
 };
 
-/// Follows light from mirror to mirror until it comes down elsewhere or leaves.
+/// Follows rays on at mirrors, for all reflectance classes at once.
 class MirrorRays {
  public:
-  MirrorRays(const Zone& zone, const Cells& cells, const ReflectanceClasses& classes, const Shine& shine,
-             const RayCaster& caster)
-      : zone_(zone), cells_(cells), classes_(classes), shine_(shine), caster_(caster) {}
+  MirrorRays(const Zone& zone, const Cells& cells, const SurfaceOptics& optics, const RayCaster& caster,
+             const MirrorRayOptions& options)
+      : zone_(zone), cells_(cells), optics_(optics), caster_(caster), options_(options) {}
 
-  /// @param at, direction  where, and along which unit vector, light comes in on surface `mirror`
-  /// @param flux           [n_classes] that comes in there, lm; used up
-  /// @param on_landing     (cell, direction, flux) wherever it comes in next, mirrors included
+  enum class End {
+    landed,   ///< on a surface that is not a mirror
+    escaped,  ///< nowhere
+    cut       ///< it has met mirrors enough
+  };
+
+  /// Calls on_landing(cell, direction) wherever the ray comes down after the first mirror: on further mirrors
+  /// and where it ends.
+  ///
+  /// @param ray      meets `mirror` first: taken as known, not traced again
+  /// @param tint     [n_classes] of the ray's light, multiplied with each mirror's k_s F before each call;
+  ///                 afterwards what has landed, escaped or was cut
   template <class OnLanding>
-  void follow(Vec3 at, Vec3 direction, int mirror, std::vector<double>& flux, MirrorFate& fate,
-              OnLanding&& on_landing) const {
-    const double least = kNothingLeft * *std::max_element(flux.begin(), flux.end());
+  End follow(const Ray& ray, std::size_t mirror, std::span<double> tint, OnLanding&& on_landing) const {
+    const Frame* frame = &zone_.surfaces[mirror].polygon.frame();
+    Vec3 direction = ray.direction;
+    Vec3 at = ray.from - frame->height(ray.from) / glm::dot(direction, frame->n) * direction;
     for (int met = 1;; ++met) {
-      const Surface& surface = zone_.surfaces[static_cast<std::size_t>(mirror)];
-      const double left =
-          meet_mirror(surface.polygon.frame().n, direction, flux,
-                      [&](std::size_t q) -> const BandReflection& { return classes_.at(q, surface.finish); });
-      if (met > kMostMirrors || !(left > least)) return add(fate.not_followed, flux);
-      add(fate.reflected, flux);
-      const Hit hit = caster_.nearest(at, direction, mirror);
-      const auto s = static_cast<std::size_t>(hit.plate);
-      if (hit.plate < 0 || hit.back || s >= zone_.surfaces.size() || zone_.surfaces[s].outside)
-        return add(fate.escaped, flux);
-      on_landing(cells_.first(s) + static_cast<std::size_t>(cells_.grid(s).cell_at(hit.local)), direction,
-                 flux);
-      if (shine_.of_surface(s) != Shininess::mirror) return;
+      const double left = meet_mirror(frame->n, direction, tint, [&](std::size_t q) -> const BandReflection& {
+        return optics_.reflection(q, zone_.surfaces[mirror].finish);
+      });
+      if (left <= options_.tolerance || met >= options_.most) return End::cut;
+      const Hit hit = caster_.nearest(at, direction, static_cast<int>(mirror));
+      const auto plate = static_cast<std::size_t>(hit.plate);
+      if (hit.plate < 0 || hit.back || plate >= zone_.surfaces.size() || zone_.surfaces[plate].outside)
+        return End::escaped;
+      on_landing(cells_.first(plate) + static_cast<std::size_t>(cells_.grid(plate).cell_at(hit.local)),
+                 direction);
+      if (optics_.of_surface(plate) != Shininess::mirror) return End::landed;
       at += hit.t * direction;
-      mirror = hit.plate;
+      mirror = plate;
+      frame = &zone_.surfaces[mirror].polygon.frame();
     }
   }
 
  private:
-  static constexpr double kNothingLeft = 1e-4;  // of the light that was sent on its way
-  static constexpr int kMostMirrors = 1000;
-
-  static void add(std::vector<double>& sum, const std::vector<double>& flux) {
-    for (std::size_t q = 0; q < flux.size(); ++q) sum[q] += flux[q];
-  }
-
   const Zone& zone_;
   const Cells& cells_;
-  const ReflectanceClasses& classes_;
-  const Shine& shine_;
+  const SurfaceOptics& optics_;
   const RayCaster& caster_;
+  MirrorRayOptions options_;
 };
 
 }  // namespace dim

@@ -28,8 +28,11 @@ struct ReflectanceClasses {
 /// @param apart  every band a class of its own, alike or not
 ReflectanceClasses classify(const Zone& zone, const Bands& bands, bool apart = false);
 
+/// Most patches of a lobe grid.
+inline constexpr std::size_t kMostLobePatches = 1280;
+
 /// The grid on which off-specular cells keep their light by direction: that of the network, coarsened by
-/// halves to at most some thousand patches.
+/// halves (odd numbers rounded up) to at most kMostLobePatches.
 PatchGrid lobe_grid(const PatchGrid& network);
 
 /// The class of every finish. @param grid  of `lobe_grid`

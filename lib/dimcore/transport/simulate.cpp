@@ -13,7 +13,6 @@ namespace {
 
 constexpr std::size_t kBlockBytes = 32 * 4 * sizeof(double);  // a block of columns being solved
 constexpr int kProbeRays = 1024;                              // to notice a luminaire in the wrong place
-constexpr int kRayMirrorDepth = 16;
 constexpr int kBalanceRays = 32768;  // to say what share of its light leaves the zone
 
 void check_finishes(const Zone& zone, const Bands& bands) {
@@ -231,7 +230,7 @@ Solution simulate(const Zone& zone, const Cells& cells, const Network& network, 
   check_size(cells.size(), zone.points.size(), n_sources, n_classes, options.bands.size(), job);
 
   const Obstructions obstructions(zone, lights);
-  const Shine shine(zone, cells, network, classes, obstructions.caster(), kRayMirrorDepth, job);
+  const Shine shine(zone, cells, network, classes, obstructions.caster(), MirrorRayOptions{}, job);
   check_shine_size(shine, n_columns, n_sources * options.bands.size(), job);
   const auto flights = source_flights(zone, network, lights, sources, job, warnings);
   const bool in_the_way = options.always_test_visibility || !is_convex_and_empty(zone, lights);

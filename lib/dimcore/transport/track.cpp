@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "network/ray_pattern.hpp"
+#include "network/row_parts.hpp"
 
 namespace dim {
 namespace {
@@ -29,6 +29,7 @@ class Tracker {
         pending_(cells.size(), 0.0),
         on_stack_(cells.size(), false) {
     if (shine_) {
+      tint_.resize(shine_->links().n_classes);
       coming_.assign(shine_->n_states(), 0.0);
       going_.assign(shine_->n_states(), 0.0);
       psi_.assign(shine_->n_states(), 0.0);
@@ -70,6 +71,7 @@ class Tracker {
       report.dropped += unsent(i);
     }
     report.absorbed -= mirrored_ + lobed_;
+    report.dropped += cut_;
     report.residual = source_flux_ > 0.0 ? report.dropped / source_flux_ : 0.0;
     report.error_bound = report.residual;
     return report;
@@ -119,64 +121,63 @@ class Tracker {
   }
 
   void send(std::size_t cell) {
+    const double diffuse = rho(cell) * std::exchange(pending_[cell], 0.0);
+    if (shine_)
+      send_shining(cell, diffuse);
+    else
+      send_diffuse(cell, diffuse);
+  }
+
+  void send_diffuse(std::size_t cell, double flux) {
     const auto& patches = network_.patches;
     const auto n_sectors = static_cast<std::size_t>(patches.n_sectors);
-    const double diffuse = rho(cell) * pending_[cell];
-    pending_[cell] = 0.0;
-    const std::vector<double> lobe = has_lobe(cell) ? take_lobe(cell) : std::vector<double>();
-    auto link = shine_ ? shine_->mirror_first()[cell] : 0;
-    const auto last_link = shine_ ? shine_->mirror_first()[cell + 1] : 0;
-    for (std::size_t patch = 0; patch < patches.n_patches(); ++patch) {
-      const double w = patches.weight_sr(static_cast<int>(patch / n_sectors));
-      double flux = diffuse * w / kPi;
-      if (!lobe.empty()) {
-        const std::size_t of = shine_->lobe_patch(patch);
-        const auto& grid = shine_->grid();
-        flux +=
-            lobe[of] * w / grid.weight_sr(static_cast<int>(of / static_cast<std::size_t>(grid.n_sectors)));
-      }
-      while (link < last_link && shine_->mirror_links()[link].patch < patch) ++link;
-      if (!(flux > 0.0)) continue;
+    for (std::size_t patch = 0; patch < patches.n_patches() && flux > 0.0; ++patch) {
+      const double part = flux * patches.weight_sr(static_cast<int>(patch / n_sectors)) / kPi;
       const std::size_t sink = network_.sinks.at(cell, patch);
-      if (sink >= cells_.size()) {
-        escaped_ += flux;
-        continue;
-      }
-      land(sink, flux, has_lobe(sink) ? arrival_patch(cell, patch, sink) : 0);
-      if (shine_ && shine_->of_cell(sink) == Shininess::mirror)
-        go_on(cell, patch, sink, flux, link, last_link);
+      if (sink < cells_.size())
+        land(sink, part, 0);
+      else
+        escaped_ += part;
     }
     if (!network_.has_family()) return;
     for (auto e = network_.extra.first[cell]; e < network_.extra.first[cell + 1]; ++e)
-      land(network_.extra.cell[e], diffuse * network_.extra.weight[e], 0);
+      land(network_.extra.cell[e], flux * network_.extra.weight[e], 0);
   }
 
-  // A ray that came down on a mirror: each landing is given its tint's part of the flux.
-  void go_on(std::size_t cell, std::size_t patch, std::size_t mirror, double flux, std::uint64_t link,
-             std::uint64_t last_link) {
-    const auto& links = shine_->mirror_links();
-    const double reflected = flux * mirror_share(cell, patch, mirror);
-    mirrored_ += reflected;
-    if (link == last_link || links[link].patch != patch) escaped_ += reflected;
-    for (; link < last_link && links[link].patch == patch; ++link) {
-      land(links[link].cell, flux * shine_->tint(links[link].tint, class_), links[link].patch_in);
-      if (link + 1 < last_link && links[link + 1].patch == patch)
-        mirrored_ += flux * shine_->tint(links[link + 1].tint, class_);
+  void send_shining(std::size_t cell, double diffuse) {
+    const std::vector<double> lobe = has_lobe(cell) ? take_lobe(cell) : std::vector<double>();
+    const auto n_sectors = static_cast<std::size_t>(network_.patches.n_sectors);
+    const RowParts row(zone_, cells_, network_, cell);
+    for (const auto& part : row.parts()) {
+      double flux = diffuse * part.share;
+      if (!lobe.empty()) {
+        const double w = network_.patches.weight_sr(static_cast<int>(part.patch / n_sectors)) / kPi;
+        const auto& states = shine_->states();
+        flux += lobe[states.patch_of(part.patch)] * states.share_of(part.patch) * part.share / w;
+      }
+      if (!(flux > 0.0)) continue;
+      if (part.cell >= cells_.size()) {
+        escaped_ += flux;
+        continue;
+      }
+      const bool shines = shine_->of_cell(part.cell) != Shininess::diffusing;
+      const Ray ray = shines ? row.ray(part) : Ray{};
+      land(part.cell, flux, shines ? shine_->states().patch_in(part.cell, ray.direction) : 0);
+      if (shine_->of_cell(part.cell) == Shininess::mirror) go_on(ray, part.cell, flux);
     }
   }
 
-  double mirror_share(std::size_t cell, std::size_t patch, std::size_t mirror) const {
-    const Ray ray =
-        RowRays(zone_, cells_, cell, network_.sampling, network_.seed).ray(network_.patches, patch);
-    const auto& surface = zone_.surfaces[cells_.surface_of(mirror)];
-    return shine_->mirror_reflectance(
-        class_, surface.finish, std::clamp(-glm::dot(ray.direction, surface.polygon.frame().n), 0.0, 1.0));
-  }
-
-  std::size_t arrival_patch(std::size_t cell, std::size_t patch, std::size_t sink) const {
-    const Ray ray =
-        RowRays(zone_, cells_, cell, network_.sampling, network_.seed).ray(network_.patches, patch);
-    return shine_->patch_in(sink, ray.direction);
+  // A ray that came down on a mirror: each further landing is given its tint's part of the flux.
+  void go_on(const Ray& ray, std::size_t mirror, double flux) {
+    std::fill(tint_.begin(), tint_.end(), 1.0);
+    const auto end = shine_->mirror_rays().follow(
+        ray, cells_.surface_of(mirror), tint_, [&](std::size_t cell, const Vec3& direction) {
+          mirrored_ += flux * tint_[class_];
+          land(cell, flux * tint_[class_], shine_->states().patch_in(cell, direction));
+        });
+    if (end == MirrorRays::End::landed) return;
+    mirrored_ += flux * tint_[class_];
+    (end == MirrorRays::End::cut ? cut_ : escaped_) += flux * tint_[class_];
   }
 
   // All flux that the cell's lobe has yet to send, by patch.
@@ -215,7 +216,8 @@ class Tracker {
   std::vector<double> going_sum_, largest_albedo_;  // [n_off_specular]
   std::vector<bool> on_stack_;
   std::vector<std::size_t> stack_;
-  double source_flux_ = 0.0, least_ = 0.0, escaped_ = 0.0, mirrored_ = 0.0, lobed_ = 0.0;
+  std::vector<double> tint_;  // [n_classes] of a ray that is being followed
+  double source_flux_ = 0.0, least_ = 0.0, escaped_ = 0.0, mirrored_ = 0.0, lobed_ = 0.0, cut_ = 0.0;
   std::size_t n_sent_ = 0;
 };
 
