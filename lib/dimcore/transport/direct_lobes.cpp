@@ -135,7 +135,7 @@ void DirectLobes::see(std::size_t point, const std::vector<float>& psi_of_rays, 
     const double w = patches.weight_sr(static_cast<int>(patch / n_sectors));
     for (const auto& light : of_emitters_[g]) see(ray, light, mix(patch), w, columns);
     if (psi_of_rays.empty()) continue;
-    const std::size_t seen = shine_.patch_in(sink, ray.direction);
+    const std::size_t seen = shine_.states().patch_in(sink, ray.direction);
     const auto slice = static_cast<int>(seen / static_cast<std::size_t>(shine_.grid().n_sectors));
     const float* psi = &psi_of_rays[(g * shine_.grid().n_patches() + seen) * n_all()];
     for (std::size_t c = 0; c < n_all(); ++c)
