@@ -170,15 +170,16 @@ TEST_CASE("A closed room of one reflectance and one emission is uniform, bodies 
   const auto room = add_bodies(zone, cells, network_of(zone, kRays), lights, Job{});
   // Every cell receives 1 - rho directly: then every cell that sees only cells has E = 1.
   const std::size_t n = room->cells.size();
-  std::vector<double> reflectance(room->zone.surfaces.size(), rho);
+  const Reflectances reflectances{1, std::vector<double>(room->zone.surfaces.size(), rho), {0}};
   GatherOptions options;
   options.tolerance = 1e-10;
   options.max_iterations = 400;
-  const auto gathered = gather(room->network, room->cells, std::vector<double>(n, 1.0 - rho), {}, reflectance,
-                               1, options, Job{});
+  const auto direct = Columns<double>::from_rows(std::vector<double>(n, 1.0 - rho), 1);
+  const Columns<double> points(room->zone.points.size(), 1);
+  const auto gathered = gather(room->network, room->cells, direct, points, reflectances, options, Job{});
   REQUIRE_FALSE(room->network.is_open());
   double worst = 0.0;
-  for (const double e : gathered.cell) worst = std::max(worst, std::abs(e - 1.0));
+  for (std::size_t i = 0; i < n; ++i) worst = std::max(worst, std::abs(gathered.cell.value(i, 0) - 1.0));
   CHECK(worst < 1e-8);
 }
 

@@ -91,9 +91,11 @@ TEST_CASE("More than 65,535 cells take sinks of four bytes", "[network][unit]") 
   CHECK(*std::max_element(sinks.begin(), sinks.end()) > 0xFFFF);
   save_rays(folder / "a.rays", zone, cells, network);
   check_same(load_rays(folder / "a.rays").network, network);
-  const std::vector<double> direct(cells.size(), 1.0);
-  const auto gathered = gather(network, cells, direct, {}, std::vector<double>(6, 0.5), 1, {}, Job{});
-  for (const double e : gathered.cell) REQUIRE(e == Approx(2.0).epsilon(1e-6));
+  const auto direct = Columns<double>::from_rows(std::vector<double>(cells.size(), 1.0), 1);
+  const auto gathered =
+      gather(network, cells, direct, Columns<double>(0, 1), {1, std::vector<double>(6, 0.5), {0}}, {}, Job{});
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    REQUIRE(gathered.cell.value(i, 0) == Approx(2.0).epsilon(1e-6));
 }
 
 TEST_CASE("The widest network of two-byte sinks keeps 'nowhere' apart from its last cell",

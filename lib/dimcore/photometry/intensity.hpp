@@ -66,6 +66,15 @@ class IntensityTable {
   /// @param gamma_rad  0..pi
   double at_c_gamma(double c_rad, double gamma_rad) const;
 
+  /// A direction of emission: drawn nearly in proportion to the intensity, whatever the width of the beam.
+  struct Emission {
+    Vec3 direction{0.0};  ///< unit
+    double weight = 0.0;  ///< flux it stands for over the mean: the mean of all is 1
+  };
+  /// The emission that belongs to (a, b) of the unit square: the part of the table between neighbouring angles
+  /// by its flux, evenly over its solid angle. Where there is no flux, the aim with weight 0.
+  Emission emission(double a, double b) const;
+
   /// Flux in lm: the exact integral of what `at` returns over the sphere.
   double flux_lm() const { return flux_lm_; }
   /// Largest intensity in any direction, cd.
@@ -98,6 +107,8 @@ class IntensityTable {
     return lower + (along_gamma(row + n_gamma_, g) - lower) * p.fraction;
   }
   void summarise();
+  void summarise_emission();
+  Vec3 direction_of(double plane_rad, double from_pole_rad) const;
   bool lit_behind(const std::vector<double>& plane_max_cd, std::size_t lit_end) const;
 
   Kind kind_ = Kind::kTable;
@@ -111,6 +122,7 @@ class IntensityTable {
   AngleGrid gamma_;
   std::vector<double> cd_;
   std::vector<double> ring_max_cd_;  // [n_gamma] over all planes; type C only
+  std::vector<double> emitted_;  // [(n_c - 1) * (n_gamma - 1) + 1] flux of parts before each, roughly, lm
 };
 
 }  // namespace dim

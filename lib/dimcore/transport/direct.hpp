@@ -75,8 +75,7 @@ struct FirstFlight {
 /// its flux of I/r^2. 0 where none falls on anything.
 double typical_illuminance_lx(const RayCaster& caster, const Luminaire& luminaire, const Fitting& fitting);
 
-/// Sends `n_rays` low-discrepancy rays from every luminaire's opening over the whole sphere, weighted by
-/// intensity. Shares no code with `direct_light` but the ray caster, so that the two check each other.
+/// Sends `n_rays` low-discrepancy rays from every luminaire's opening, drawn from its intensity table. Shares no code with `direct_light` but the ray caster, so that the two check each other.
 std::vector<FirstFlight> first_flights(const Zone& zone, const Lights& lights, int n_rays, const Job& job);
 
 }  // namespace dim
