@@ -5,11 +5,12 @@
 #include <random>
 
 #include "catch.hpp"
+#include "image/render.hpp"
 #include "property/transport_support.hpp"
 #include "reflection/specular.hpp"
 #include "transport/emitter.hpp"
 #include "transport/image_series.hpp"
-#include "transport/plan.hpp"
+#include "unit/files_support.hpp"
 
 using namespace dim;
 using namespace dim::test;
@@ -163,7 +164,8 @@ TEST_CASE("Four mirror walls of 0.95 light points and surfaces as the lattice of
     const double exact =
         lattice_lx(kSize, lamp, 100.0, zone.points[i].position, zone.points[i].normal, 0.95, 0.95, 150);
     CAPTURE(i);
-    CHECK(lx[i] == Approx(exact).epsilon(1e-3));
+    CHECK(lx[i] == Approx(exact).epsilon(3e-4));
+    CHECK(std::abs(lx[i] / exact - 1.0) <= solution.plan.images_uncertain);
   }
   const auto cells = cell_lx(solution);
   for (const auto& [face, z, n] : {std::tuple(kFloor, 0.0, 1.0), std::tuple(kCeiling, 3.0, -1.0)}) {
@@ -298,10 +300,17 @@ TEST_CASE("Each mirror takes its own share at its own angle", "[mirror][unit]") 
   make_mirror(zone, 1).ior = SpectralCurve(2.6);
   const Vec3 normal_a(0, 0, 1), normal_b = glm::normalize(glm::cross(Vec3(0, 8, 0), up));
   REQUIRE(glm::dot(zone.surfaces[1].polygon.normal(), normal_b) > 0.999);
-  const Vec3 lamp(2.0, 0.3, 1.4);
-  for (int i = 0; i < 12; ++i)
-    zone.points.push_back({{0.5 + 0.45 * i, -0.9 + 0.2 * i, 0.3 + 0.17 * i}, {0, 0, 1}});
-  for (std::size_t i = 0; i < 12; ++i) zone.points.push_back({zone.points[i].position, {-1, 0, 0}});
+  // Seen from the common edge the lamp is low over one glass or the other, so that either comes first.
+  const auto at_angle = [](double angle_deg, double radius_m, double y) {
+    return Vec3(radius_m * std::cos(radians(angle_deg)), y, radius_m * std::sin(radians(angle_deg)));
+  };
+  const Vec3 lamp = at_angle(GENERATE(20.0, 90.0), 2.4, 0.3);
+  for (const double angle : {10.0, 25.0, 40.0, 55.0, 70.0, 85.0, 100.0}) {
+    for (const double radius : {1.1, 2.6}) {
+      zone.points.push_back({at_angle(angle, radius, -0.9), {0, 0, 1}});
+      zone.points.push_back({at_angle(angle, radius, 0.8), glm::normalize(Vec3(-1, 0.2, -0.5))});
+    }
+  }
   const auto lx = point_lx(solve(zone, point_lamp(lamp, 100.0), network_of(zone, {4, 8})));
   struct Mirror {
     Vec3 normal, up, side;  // through the origin; `up` from the common edge
@@ -420,6 +429,45 @@ TEST_CASE("The beam of a point through an aperture is its pyramid", "[mirror][un
   CHECK(hull == Ring2{{0, 0}, {2, 0}, {2, 1}, {0, 1}});
 }
 
+TEST_CASE("A picture shaded point by point shows what fine cells show", "[mirror][image][validation]") {
+  // Direct light at each pixel in place of the cells' own, images as deep as the solution had them, what rays
+  // carried on from there with the rest.
+  const auto depth = GENERATE(std::optional<int>(0), std::optional<int>(1), std::optional<int>());
+  const files_test::Folder folder;
+  const auto picture = [&](double cell_m, Shading shading, const std::optional<int>& mirror_depth) {
+    Zone zone = room(kSize, 0.4, cell_m);
+    make_mirror_of(zone, kX0, 0.9);
+    make_mirror_of(zone, kX1, 0.9);
+    SimulationOptions options;
+    options.mirror_depth = mirror_depth;
+    const auto lights = point_lamp({1, 1.3, 2.0}, 100.0);
+    const auto solution = solve(zone, lights, network_of(zone, {8, 16}), options);
+    const std::string path = folder / "mirrors.lum";
+    save_lum(path, zone, Cells(zone), lights, solution, "");
+    const LuminanceDatabase database(path);
+    RenderOptions render;
+    render.view.eye = {2.2, 3.6, 1.6};
+    render.view.focus = {1.8, 1.4, 0.0};
+    render.view.fov_rad = radians(60.0);
+    render.view.width = 24;
+    render.view.height = 18;
+    render.samples = 2;
+    render.shading = shading;
+    render.scalar = ScalarQuantity::luminance;
+    return render_view(database, Cells(database.zone()), {1.0}, render, Job{});
+  };
+  const Raster gathered = picture(0.25, Shading::gather, depth), fine = picture(0.1, Shading::cell, {});
+  double mean = 0.0, mean_fine = 0.0, square = 0.0;
+  for (std::size_t i = 0; i < fine.n_pixels(); ++i) {
+    const auto a = static_cast<double>(gathered.scalar[i]), b = static_cast<double>(fine.scalar[i]);
+    mean += a;
+    mean_fine += b;
+    square += std::pow(a / b - 1.0, 2);
+  }
+  CHECK(mean == Approx(mean_fine).epsilon(5e-3));
+  CHECK(std::sqrt(square / static_cast<double>(fine.n_pixels())) < 0.03);
+}
+
 TEST_CASE("A tail of images is told within what is said to be uncertain", "[mirror][unit]") {
   const double f = GENERATE(0.3, 0.8, 0.95, 0.999);
   const double exponent = GENERATE(1.5, 2.0, 3.0);
@@ -435,7 +483,8 @@ TEST_CASE("A tail of images is told within what is said to be uncertain", "[mirr
   CAPTURE(f, exponent, alternating);
   const ImageTail told = tail_of_images(by_order, f);
   CHECK(std::abs(told.lx - tail) <= told.uncertain_lx);
-  CHECK(told.lx == Approx(tail).epsilon(alternating ? 0.15 : 0.05));
+  // Blocks in place of orders: good to a tenth.
+  CHECK(told.lx == Approx(tail).epsilon(alternating ? 0.15 : 0.1));
   // Too few to tell: nothing is added, and the bound holds.
   const ImageTail early = tail_of_images(std::span(by_order).first(3), f);
   double after_three = tail;

@@ -274,11 +274,13 @@ class Builder {
 
 }  // namespace
 
-void DirectColumns::add_followed() {
+bool DirectColumns::add_followed() {
+  if (followed.empty() && followed_psi.empty()) return false;
   for (std::size_t i = 0; i < followed.size(); ++i) cell[i] += followed[i];
   for (std::size_t i = 0; i < followed_psi.size(); ++i) shine.psi[i] += followed_psi[i];
   followed.clear();
   followed_psi.clear();
+  return true;
 }
 
 DirectColumns direct_columns(const Zone& zone, const Cells& cells, const Network& network,

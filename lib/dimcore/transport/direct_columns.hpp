@@ -33,8 +33,8 @@ struct DirectColumns {
   /// the cells' mean; the largest of all points
   std::vector<double> uncertain;
 
-  /// Lets what rays carried on count as direct light.
-  void add_followed();
+  /// Lets what rays carried on count as direct light. @returns whether there was any
+  bool add_followed();
 };
 
 /// Every luminaire is imaged in mirrors, order by order. On cells the images of an order are the last when

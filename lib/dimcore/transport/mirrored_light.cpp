@@ -27,7 +27,6 @@ MirroredLight::MirroredLight(const Zone& zone, const Cells& cells, const Reflect
       source_of_(source_of),
       n_sources_(n_sources),
       can_leave_(can_leave),
-      mirror_walk_(zone, cells, classes, shine, caster),
       reflected_(n_sources * classes.size(), 0.0),
       escaped_(reflected_),
       not_followed_(reflected_),
@@ -99,23 +98,33 @@ bool MirroredLight::leaves(const PairIntegrator::Path& path, int mirror) const {
 }
 
 void MirroredLight::follow(const CellLight& light, double ray_lm, Run& run) const {
-  const auto mirror = static_cast<int>(cells_.surface_of(light.cell));
+  const std::size_t mirror = cells_.surface_of(light.cell);
   const std::size_t source = source_of_[light.emitter->original];
   const auto tints = tints_of(zone_, classes_, *light.emitter, middle_of(zone_, cells_, light.cell));
   const double sent_lm = reflected_lm(light);
   const auto n = static_cast<int>(std::clamp(std::ceil(sent_lm / ray_lm), kLeastRays, kMostRays));
   run.sent_lm[source] += sent_lm;
-  std::vector<double> flux(tints.size());
+  MirrorFate& fate = run.of_source[source];
+  std::vector<double> left(tints.size());
   for (const auto& path : paths_of(zone_, cells_, light, n)) {
     if (!(path.lx > 0.0)) continue;
     ++run.n_rays;
-    for (std::size_t q = 0; q < tints.size(); ++q)
-      flux[q] = cells_.area_m2(light.cell) * light.lx * path.lx * tints[q];
-    mirror_walk_.follow(path.at, -path.towards, mirror, flux, run.of_source[source],
-                        [&](std::size_t cell, const Vec3& direction, const std::vector<double>& left) {
-                          run.landings.push_back({cell, source, direction});
-                          run.flux.insert(run.flux.end(), left.begin(), left.end());
-                        });
+    const double lm = cells_.area_m2(light.cell) * light.lx * path.lx;
+    const auto add_to = [&](std::vector<double>& sum) {
+      for (std::size_t q = 0; q < tints.size(); ++q) sum[q] += lm * tints[q] * left[q];
+    };
+    std::fill(left.begin(), left.end(), 1.0);
+    const Ray ray{path.at + path.towards, -path.towards};
+    const auto end =
+        shine_.mirror_rays().follow(ray, mirror, left, [&](std::size_t cell, const Vec3& direction) {
+          add_to(fate.reflected);
+          run.landings.push_back({cell, source, direction});
+          for (std::size_t q = 0; q < tints.size(); ++q) run.flux.push_back(lm * tints[q] * left[q]);
+        });
+    if (end == MirrorRays::End::cut) add_to(fate.not_followed);
+    if (end != MirrorRays::End::escaped) continue;
+    add_to(fate.reflected);
+    add_to(fate.escaped);
   }
 }
 

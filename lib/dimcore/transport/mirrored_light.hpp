@@ -5,9 +5,20 @@
 #include "base/job.hpp"
 #include "transport/cell_light.hpp"
 #include "transport/direct_lobes.hpp"
-#include "transport/mirror_walk.hpp"
+#include "transport/shine.hpp"
 
 namespace dim {
+
+/// What became of light that mirrors reflect, by class, lm.
+struct MirrorFate {
+  std::vector<double> reflected;  ///< by mirrors, all that arrives somewhere or escapes
+  std::vector<double> escaped;    ///< of that, out of the zone or onto backs
+  std::vector<double>
+      not_followed;  ///< reflected, too, but given up: next to nothing was left, or no end seen
+
+  explicit MirrorFate(std::size_t n_classes)
+      : reflected(n_classes, 0.0), escaped(n_classes, 0.0), not_followed(n_classes, 0.0) {}
+};
 
 /// What mirrors reflect of direct light on them.
 class MirroredLight {
@@ -67,7 +78,6 @@ class MirroredLight {
   const std::vector<std::size_t>& source_of_;
   std::size_t n_sources_;
   bool can_leave_;
-  MirrorWalk mirror_walk_;
   std::vector<double> reflected_, escaped_, not_followed_, sent_lm_;
   std::vector<double> brought_;
   std::vector<std::vector<RayLight>> rays_;

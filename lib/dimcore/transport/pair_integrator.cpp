@@ -123,12 +123,13 @@ DirectEstimate PairIntegrator::mean(const Receiver& receiver, PlatesBetween& bet
   const double free_lx = free(pair, 0);
   if (!(free_lx > 0.0) || !test_visibility_) return {free_lx, 0.0};
   Chance chance(receiver.stream ^ stream_);
-  const double importance = 
+  const double importance =
       options_.typical_lx > 0.0 && !receiver.is_point() ? std::min(1.0, free_lx / options_.typical_lx) : 1.0;
-  const double lines = std::max(1.0, options_.shadow_lines * importance);
+  const double lines = std::max(2.0, options_.shadow_lines * importance);
   const bool ray = receiver.is_point() && opening.ring.size() == 1;
-  if (ray || lines < kFewLines || !emitter_.mirrors.empty())
-    return by_rays(pair, free_lx, ray ? 1 : static_cast<int>(std::ceil(lines)), receiver.skip, chance);
+  if (ray) return {blocked(receiver.ring[0], opening.ring[0], receiver.skip) ? 0.0 : free_lx, 0.0};
+  if (lines < kFewLines || !emitter_.mirrors.empty())
+    return by_rays(pair, free_lx, static_cast<int>(std::ceil(lines)), receiver.skip, chance);
   if (!between.known) find(between);
   if (between.found.empty()) return {free_lx, 0.0};
   const ConvexRing bounds =
@@ -292,7 +293,8 @@ DirectEstimate PairIntegrator::shadowed(const Pair& pair, std::vector<int> plate
 }
 
 // Sums of free and visible light over two interleaved halves of the samples, and the unbiased estimate they
-// give: the visible share that corrects one half is taken from the other.
+// give: the visible share that corrects one half is taken from the other. At least two samples; exactly 0 or all
+// of the free light where they agree.
 class HalfSums {
  public:
   void add(double free, double visible) {
@@ -301,7 +303,6 @@ class HalfSums {
     ++n_;
   }
   DirectEstimate estimate(double free_lx) const {
-    if (n_ == 1) return pair_of(free_lx, visible_[0] - 0.5 * free_[0], 0.5, 0.25 * free_lx * free_lx);
     std::array<double, 2> half{};
     for (std::size_t h = 0; h < 2; ++h) {
       const double n = h == 0 ? static_cast<double>((n_ + 1) / 2) : static_cast<double>(n_ / 2);
@@ -313,9 +314,6 @@ class HalfSums {
   }
 
  private:
-  static DirectEstimate pair_of(double free_lx, double rest, double share, double variance) {
-    return {std::max(0.0, share * free_lx + rest), variance};
-  }
   std::size_t n_ = 0;
   std::array<double, 2> free_{}, visible_{};
 };
@@ -329,8 +327,6 @@ DirectEstimate PairIntegrator::by_rays(const Pair& pair, double free_lx, int n, 
     const double lx = share * illuminance(pair.normal, p, q);
     sums.add(lx, lx > 0.0 && !blocked(p, q, skip) ? lx : 0.0);
   }
-  if (pair.cell.ring.size() == 1 && pair.opening.ring.size() == 1)
-    return {blocked(pair.cell.ring[0], pair.opening.ring[0], skip) ? 0.0 : free_lx, 0.0};
   return sums.estimate(free_lx);
 }
 

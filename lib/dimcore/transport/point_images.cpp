@@ -19,6 +19,7 @@ constexpr std::size_t kMostOfOne = 50'000;
 constexpr std::size_t kMostOfAll = 1'000'000;
 // Points darker than this share of the luminaire's mean illuminance are judged as if they had it.
 constexpr double kDark = 1e-2;
+constexpr std::ptrdiff_t kLatest = 6;  // orders whose mirrors count for deeper ones
 
 double total_area_m2(const Zone& zone) {
   return std::accumulate(zone.surfaces.begin(), zone.surfaces.end(), 0.0,
@@ -28,7 +29,8 @@ double total_area_m2(const Zone& zone) {
 // One luminaire's images at one point, order by order.
 struct Series {
   std::vector<std::vector<double>> lx;  // [n_classes][orders]
-  std::vector<double> reflectance;      // [n_classes] the largest share a mirror left, of the latest images
+  std::vector<std::vector<double>>
+      reflectance;  // the same: the largest share that a mirror left, 0 without images
 };
 
 class OneLuminaire {
@@ -42,7 +44,7 @@ class OneLuminaire {
         obstructions_(obstructions),
         order_{luminaire},
         series_(zone.points.size(), {std::vector<std::vector<double>>(classes.size()),
-                                     std::vector<double>(classes.size(), 0.0)}) {}
+                                     std::vector<std::vector<double>>(classes.size())}) {}
 
   // Whether there was one.
   bool next_order(std::size_t most, const Job& job) {
@@ -71,7 +73,11 @@ class OneLuminaire {
 
   ImageTail tail(std::size_t point, std::size_t klass) const {
     if (exhausted_) return {};
-    return tail_of_images(series_[point].lx[klass], series_[point].reflectance[klass]);
+    const auto& reflectance = series_[point].reflectance[klass];
+    const auto latest = std::min<std::ptrdiff_t>(kLatest, std::ssize(reflectance));
+    const double largest =
+        latest > 0 ? *std::max_element(reflectance.end() - latest, reflectance.end()) : 0.0;
+    return tail_of_images(series_[point].lx[klass], largest);
   }
   double sum(std::size_t point, std::size_t klass) const {
     const auto& lx = series_[point].lx[klass];
@@ -99,7 +105,7 @@ class OneLuminaire {
     }
     for (std::size_t q = 0; q < sums.size(); ++q) {
       series_[point].lx[q].push_back(sums[q]);
-      if (sums[q] > 0.0) series_[point].reflectance[q] = std::pow(largest[q], 1.0 / depth_);
+      series_[point].reflectance[q].push_back(std::pow(largest[q], 1.0 / depth_));
     }
   }
 

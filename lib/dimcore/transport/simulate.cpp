@@ -5,7 +5,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <span>
 
 #include "transport/assembly.hpp"
 #include "transport/auto_bands.hpp"
@@ -77,18 +76,6 @@ Sources make_sources(const Lights& lights, const Bands& bands, Combine combine) 
   return result;
 }
 
-// Spreads [n, n_sources] over columns class * n_sources + source.
-std::vector<double> repeat_columns(const std::vector<double>& values, std::size_t n_sources,
-                                   std::size_t n_classes) {
-  if (n_classes == 1) return values;
-  const std::size_t n = n_sources ? values.size() / n_sources : 0;
-  std::vector<double> result(values.size() * n_classes);
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t q = 0; q < n_classes; ++q)
-      std::copy_n(&values[i * n_sources], n_sources, &result[(i * n_classes + q) * n_sources]);
-  }
-  return result;
-}
 
 void check_size(std::size_t n_cells, std::size_t n_points, std::size_t n_sources, std::size_t n_classes,
                 std::size_t n_bands, const Job& job) {
@@ -171,41 +158,34 @@ Solution simulate_room(const Zone& zone, const Cells& cells, const Network& netw
   DirectColumns direct = direct_columns(zone, cells, network, lights, classes, shine, obstructions,
                                         sources.of_luminaire, n_sources,
                                         {options.gather.tolerance, options.mirror_depth}, in_the_way, job);
-  std::vector<double> reflectance(zone.surfaces.size() * n_columns);
-  std::vector<std::size_t> class_of_column(n_columns);
-  for (std::size_t c = 0; c < n_columns; ++c) class_of_column[c] = c / n_sources;
+  Reflectances reflectances{n_classes, std::vector<double>(zone.surfaces.size() * n_classes),
+                            std::vector<std::size_t>(n_columns)};
+  for (std::size_t c = 0; c < n_columns; ++c) reflectances.class_of_column[c] = c / n_sources;
   for (std::size_t surface = 0; surface < zone.surfaces.size(); ++surface) {
-    for (std::size_t c = 0; c < n_columns; ++c)
-      reflectance[surface * n_columns + c] =
-          classes.at(class_of_column[c], zone.surfaces[surface].finish).diffuse;
+    for (std::size_t q = 0; q < n_classes; ++q)
+      reflectances.of_surface[surface * n_classes + q] = classes.at(q, zone.surfaces[surface].finish).diffuse;
   }
-  const bool by_class = direct.n_columns == n_columns;
-  const auto in_columns = [&](const std::vector<double>& values) {
-    return by_class ? values : repeat_columns(values, n_sources, n_classes);
-  };
-  const auto kept = [&](const std::vector<double>& values, std::size_t width) {
-    return std::span(values).first(n_kept * width);
-  };
+  auto cell_direct = Columns<float>::from_rows(direct.cell, direct.n_columns);
+  const auto point_direct = Columns<float>::from_rows(direct.point, direct.n_columns);
   Solution solution;
   solution.bands = options.bands;
   solution.sources = std::move(sources.sources);
   solution.n_cells = n_kept;
   solution.n_points = zone.points.size();
   solution.classes = classes;
-  solution.n_direct_classes = by_class ? n_classes : 1;
+  solution.n_direct_classes = direct.n_columns / n_sources;
   solution.plan = make_plan(zone, cells, network, lights, classes, shine, n_sources, direct, in_the_way);
-  solution.cell_direct = rows_of_columns(kept(direct.cell, direct.n_columns), n_sources, direct.n_columns);
-  solution.point_direct = rows_of_columns(direct.point, n_sources, direct.n_columns);
+  solution.cell_direct = rows_of_columns(cell_direct, n_kept, n_sources);
+  solution.point_direct = rows_of_columns(point_direct, zone.points.size(), n_sources);
   solution.directional.direct = rows_of_states(direct.shine.psi, shine.grid(), n_sources, n_columns);
   solution.mirror_depth = direct.mirror_depth;
-  direct.add_followed();
-  const GatherShine gather_shine{shine, zone, direct.shine, class_of_column};
+  if (direct.add_followed()) cell_direct = Columns<float>::from_rows(direct.cell, direct.n_columns);
+  const GatherShine gather_shine{shine, zone, direct.shine};
   const auto* shiny = shine.any() ? &gather_shine : nullptr;
-  Gathered gathered = options.solver == Solver::gather
-                          ? gather(network, cells, in_columns(direct.cell), in_columns(direct.point),
-                                   reflectance, n_columns, options.gather, job, shiny)
-                          : track(zone, network, cells, in_columns(direct.cell), in_columns(direct.point),
-                                  reflectance, n_columns, options.track, job, shiny);
+  auto gathered = options.solver == Solver::gather
+                      ? gather(network, cells, cell_direct, point_direct, reflectances, options.gather, job, shiny)
+                      : track(zone, network, cells, cell_direct, point_direct, reflectances, options.track, job,
+                              shiny);
   for (std::size_t c = 0; c < n_columns && shine.any(); ++c) {
     gathered.columns[c].absorbed -= direct.shine.mirrored[c] + direct.shine.not_followed[c];
     gathered.columns[c].dropped += direct.shine.not_followed[c];
@@ -213,8 +193,8 @@ Solution simulate_room(const Zone& zone, const Cells& cells, const Network& netw
     gathered.columns[c].error_bound += direct.uncertain[c];
   }
 
-  solution.cell_total = rows_of_columns(kept(gathered.cell, n_columns), n_sources, n_columns);
-  solution.point_total = rows_of_columns(gathered.point, n_sources, n_columns);
+  solution.cell_total = rows_of_columns(gathered.cell, n_kept, n_sources);
+  solution.point_total = rows_of_columns(gathered.point, zone.points.size(), n_sources);
   solution.directional.grid = shine.grid();
   solution.directional.cells = shine.off_specular();
   solution.directional.total = rows_of_states(gathered.psi, shine.grid(), n_sources, n_columns);
