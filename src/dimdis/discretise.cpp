@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "dimdis/options.hpp"
 #include "network/network_storage.hpp"
+#include "network/point_places.hpp"
 
 namespace dim {
 namespace {
@@ -14,23 +16,6 @@ PatchGrid patches_of(const std::string& text, const std::string& option) {
   } catch (const InputError& error) {
     throw UsageError(error.what());
   }
-}
-
-void warn_about_points(const Program& program, const Zone& zone, const Network& network) {
-  Warnings warnings;
-  for (const auto& set : zone.point_sets) {
-    std::size_t n_inside = 0;
-    for (std::size_t p = set.first; p < set.first + set.count; ++p)
-      n_inside += network.point_back_fraction[p] > 0.5;
-    if (n_inside > 0)
-      warnings.push_back(
-          {{},
-           fmt::format("'{}': {} of {} points see mostly the backs of surfaces; they seem to lie inside an "
-                       "obstruction or outside the zone",
-                       set.name, n_inside, set.count),
-           "move the points or the plane"});
-  }
-  program.warn(warnings);
 }
 
 }  // namespace
@@ -68,18 +53,19 @@ Exit DiscretiseCommand::run() {
   options.seed = seed_;
 
   program_.stage("zone");
-  const Zone zone = read_zone(program_, input_);
+  Zone zone = read_zone(program_, input_);
   program_.stage("cells");
   const Cells cells(zone);
   if (automatic) options.point_patches = automatic_point_patches(zone.points.size());
   program_.stage("rays");
   const Job job = program_.job();
   const Network network = build_network(zone, cells, options, job);
+  judge_points(network, zone);
   program_.stage(kWritingStage);
   const std::string hash = save_rays(output_, zone, cells, network, job);
   program_.stage("");
 
-  warn_about_points(program_, zone, network);
+  program_.warn(left_out_warnings(zone));
   const std::size_t n_rays = network.sinks.n_rays() + network.point_sinks.n_rays();
   program_.say_verbose(fmt::format("{} surfaces, {} cells x {} patches, {} points x {} patches: {} rays",
                                    zone.surfaces.size(), cells.size(), options.patches.n_patches(),
@@ -90,6 +76,8 @@ Exit DiscretiseCommand::run() {
   stats["cells"] = cells.size();
   stats["patches"] = options.patches.n_patches();
   stats["points"] = zone.points.size();
+  stats["points_left_out"] =
+      std::count_if(zone.points.begin(), zone.points.end(), [](const auto& point) { return !point.valid; });
   stats["point_patches"] = options.point_patches.n_patches();
   stats["rays"] = n_rays;
   stats["escaped_rays"] = network.n_escaped_rays;

@@ -118,8 +118,6 @@ void store_cells(Hdf5Writer& file, const Zone& zone, const Cells& cells) {
 }
 
 Cells load_cells(const Hdf5Reader& file, const Zone& zone, const std::string& path, const Job& job) {
-  if (!file.has("/cells/first_corner"))
-    throw IoError(path, "an older version of DIM wrote it, whose cells passed under walls; make it again");
   const auto area = file.dataset<double>("/cells/area", {kAnySize});
   const auto surface = file.dataset<std::uint32_t>("/cells/surface", {area.size()});
   check_cells_fit(zone, job.memory_limit_bytes);
@@ -169,7 +167,7 @@ std::string save_rays(const std::string& path, const Zone& zone, const Cells& ce
 }
 
 RaysFile load_rays(const std::string& path, const Job& job) {
-  const Hdf5Reader file(path, "rays", kRaysVersion, job);
+  const Hdf5Reader file(path, "rays", kRaysVersion, job, kRaysVersion);
   RaysFile rays;
   rays.hash = file.hash();
   rays.zone = load_zone(file, path);
