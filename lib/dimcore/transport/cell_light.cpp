@@ -37,9 +37,9 @@ std::vector<PairIntegrator::Path> paths_of(const Zone& zone, const Cells& cells,
     total += path.lx;
   }
   if (!(total > 0.0)) {
-    const Vec3 at = middle_of(zone, cells, light.cell), n = receiver.frame->n;
+    const Vec3 at = middle_of(zone, cells, light.cell), normal = receiver.frame->n;
     const Vec3 towards = glm::normalize(light.emitter->luminaire.at - at);
-    return {{at, glm::dot(towards, n) > 0.0 ? towards : n, 1.0}};
+    return {{at, glm::dot(towards, normal) > 0.0 ? towards : normal, 1.0}};
   }
   for (auto& path : paths) path.lx /= total;
   return paths;
