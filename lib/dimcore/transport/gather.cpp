@@ -50,7 +50,7 @@ class Block {
       gather();
       residual_ = update();
       if (shine_) {
-        const auto change = shine_->reflect(exitance_);
+        const auto change = shine_->reflect(exitance_).largest;
         for (std::size_t c = 0; c < width_; ++c) residual_[c] = std::max(residual_[c], change[c]);
       }
       // The means grow with every reflection, so that judging by the latest ones ends when it should.
@@ -86,7 +86,7 @@ class Block {
   }
 
   void copy_psi(std::vector<float>& psi) const {
-    if (shine_) shine_->copy_psi(psi);
+    if (shine_) shine_->copy_psi(psi, std::vector<bool>(n_, true));
   }
 
   void copy_cells(std::vector<double>& cell, std::size_t n_columns, std::size_t first) const {

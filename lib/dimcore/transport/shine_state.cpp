@@ -173,7 +173,7 @@ void ShineState::reflect_cell(std::size_t g, const std::vector<double>& phi, std
   }
 }
 
-std::vector<double> ShineState::reflect(const std::vector<double>& exitance) {
+ShineState::Change ShineState::reflect(const std::vector<double>& exitance) {
   std::vector<double> change(shine_.n_off_specular() * n_);
   for_off_specular([&](std::size_t first, std::size_t last) {
     std::vector<double> phi, scratch;
@@ -184,11 +184,15 @@ std::vector<double> ShineState::reflect(const std::vector<double>& exitance) {
   });
   landed_ = landed_by_mirrors(exitance, psi_);
   std::swap(psi_, before_);
-  std::vector<double> largest(width_, 0.0);
+  Change total{std::vector<double>(width_, 0.0), std::vector<double>(width_, 0.0)};
   for (std::size_t g = 0; g < shine_.n_off_specular(); ++g) {
-    for (std::size_t c = 0; c < n_; ++c) largest[c] = std::max(largest[c], change[g * n_ + c]);
+    const double area_m2 = cells_.area_m2(shine_.off_specular()[g]);
+    for (std::size_t c = 0; c < n_; ++c) {
+      total.largest[c] = std::max(total.largest[c], change[g * n_ + c]);
+      total.flux[c] += area_m2 * change[g * n_ + c];
+    }
   }
-  return largest;
+  return total;
 }
 
 // Flux of each column that comes down on cells after mirrors.
@@ -295,12 +299,13 @@ double ShineState::largest_albedo(std::size_t surface, std::size_t column) const
   return *std::max_element(albedo.begin(), albedo.end());
 }
 
-void ShineState::copy_psi(std::vector<float>& psi) const {
+void ShineState::copy_psi(std::vector<float>& psi, const std::vector<bool>& wanted) const {
   const std::size_t n_patches = shine_.grid().n_patches();
   for_off_specular([&](std::size_t first, std::size_t last) {
     for (std::size_t s = first * n_patches; s < last * n_patches; ++s) {
-      for (std::size_t c = 0; c < n_; ++c)
-        psi[s * n_columns_ + first_ + c] = static_cast<float>(psi_[s * n_ + c]);
+      for (std::size_t c = 0; c < n_; ++c) {
+        if (wanted[c]) psi[s * n_columns_ + first_ + c] = static_cast<float>(psi_[s * n_ + c]);
+      }
     }
   });
 }

@@ -40,10 +40,13 @@ class ShineState {
   /// @param phi  [lobe patches, n] written
   void incoming(std::size_t g, const std::vector<double>& exitance, std::vector<double>& phi) const;
 
+  /// By column [width]: what changed of reflected light, in absolute values summed over patches.
+  struct Change {
+    std::vector<double> largest;  ///< of a cell, per area
+    std::vector<double> flux;     ///< of all cells
+  };
   /// New lobes from what comes in now.
-  /// @returns [width] the largest over cells of the absolute changes of reflected flux per area, summed over
-  /// patches
-  std::vector<double> reflect(const std::vector<double>& exitance);
+  Change reflect(const std::vector<double>& exitance);
 
   /// Flux of each column, W per W/m2 of exitance.
   struct Power {
@@ -59,8 +62,8 @@ class ShineState {
   /// hold no light).
   double largest_albedo(std::size_t surface, std::size_t column) const;
 
-  /// [n_states, n_columns] of the whole problem, this block's columns written.
-  void copy_psi(std::vector<float>& psi) const;
+  /// [n_states, n_columns] of the whole problem, those of this block's columns written that are wanted.
+  void copy_psi(std::vector<float>& psi, const std::vector<bool>& wanted) const;
   void set_psi(const std::vector<float>& psi);
 
  private:
