@@ -26,8 +26,8 @@ constexpr double kNearShadow = 1.0;
 constexpr int kMostShadowHalvings = 8;
 // With fewer lines than this, rays cost less.
 constexpr int kFewLines = 4;
-// Towards grazing, intensity and projected area of an opening both vanish.
-constexpr double kLeastCosine = 0.02;
+// Seen at grazing angles from a cell that faces it, an opening's projected area vanishes.
+constexpr double kLeastRatio = 0.02;
 
 }  // namespace
 
@@ -219,11 +219,14 @@ double PairIntegrator::touching(const Pair& pair) const {
     pair.cell.ring.nodes(nodes);
     for (std::size_t i = 0; i < static_cast<std::size_t>(nodes.n); ++i) {
       const Vec3 d = nodes.at[i] - pair.opening.middle;
-      const double r = glm::length(d);
-      if (!(r > 0.0)) continue;
-      const double cosine = std::max(std::abs(glm::dot(d, opening_.normal)) / r, kLeastCosine);
-      sum += nodes.weight[i] * fitting_.intensity.at(luminaire_.to_local(d)) / (cosine * opening_.measure) *
-             projected_solid_angle_sr(pair.opening.ring, nodes.at[i], pair.normal);
+      // Cosine at the cell over that at the opening: their heights over each other's plane, which between
+      // parallel planes is 1 in every direction.
+      const double over_cell_m = std::max(0.0, -glm::dot(d, pair.normal));
+      const double over_opening_m = std::abs(glm::dot(d, opening_.normal));
+      if (!(over_cell_m > 0.0)) continue;
+      const double ratio = over_cell_m / std::max(over_opening_m, kLeastRatio * over_cell_m);
+      sum += nodes.weight[i] * fitting_.intensity.at(luminaire_.to_local(d)) * ratio / opening_.measure *
+             solid_angle_sr(pair.opening.ring, nodes.at[i]);
     }
     return pair.cell.share * sum;
   }
