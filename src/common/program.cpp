@@ -1,54 +1,25 @@
 #include "common/program.hpp"
 
 #include <fmt/format.h>
-#include <signal.h>
 #include <tbb/global_control.h>
 #include <tbb/version.h>
 #include <unistd.h>
 
-#include <atomic>
+#include <cerrno>
 #include <chrono>
+#include <cstring>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "base/atomic_file.hpp"
 #include "base/version.hpp"
 #include "common/files.hpp"
+#include "common/interruption.hpp"
 #include "common/progress_line.hpp"
 
 namespace dim {
 namespace {
-
-constexpr int kInterrupted = static_cast<int>(Exit::interrupted);
-std::atomic<bool> stop_requested{false};
-
-std::atomic<bool> output_begun{false};
-
-// A second Ctrl-C does not wait for the program to notice the first; nor, after a second, does the first
-// where no half-written file would be left.
-void on_signal(int) {
-  if (stop_requested.exchange(true)) _exit(kInterrupted);
-  alarm(1);
-}
-
-void on_alarm(int) {
-  if (output_begun.load()) return;
-  constexpr char kWords[] = "interrupted; nothing was written\n";
-  [[maybe_unused]] const auto n = write(STDERR_FILENO, kWords, sizeof kWords - 1);
-  _exit(kInterrupted);
-}
-
-void install_signal_handlers() {
-  struct sigaction action = {};
-  action.sa_handler = on_signal;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-  action.sa_handler = on_alarm;
-  sigaction(SIGALRM, &action, nullptr);
-  // A reader that went away and a file-size limit come back as errors of write().
-  signal(SIGPIPE, SIG_IGN);
-  signal(SIGXFSZ, SIG_IGN);
-}
 
 constexpr const char* kExitCodes =
     "Exit status: 0 done, 1 result written but a requested check failed, 2 command line wrong,\n"
@@ -132,20 +103,24 @@ void Program::apply_options() {
   const bool terminal = isatty(STDERR_FILENO) != 0;
   if (!quiet_ && progress_ != "never" && (progress_ == "always" || terminal))
     line_ = std::make_shared<ProgressLine>(name_, progress_ == "always");
-  if (!stats_path_.empty()) refuse_unwritable(stats_path_);
+  if (stats_path_.empty()) return;
+  refuse_unwritable(stats_path_);
+  note_output(stats_path_);
 }
 
 int Program::run(int argc, char** argv, const std::function<Exit()>& work) {
   try {
     app_.parse(argc, argv);
   } catch (const CLI::Success& success) {
-    return app_.exit(success);
+    const int status = app_.exit(success);
+    if (std::cout.flush()) return status;
+    return fail(Exit::system, fmt::format("standard output: cannot write: {}", std::strerror(errno)));
   } catch (const CLI::ParseError& error) {
     return fail(Exit::usage, parse_problem(error, argc > 1 ? argv[1] : ""));
   }
-  install_signal_handlers();
   int status = 0;
   try {
+    answer_interruptions(name_);
     apply_options();
     status = static_cast<int>(work());
     stage("");
@@ -163,6 +138,8 @@ int Program::run(int argc, char** argv, const std::function<Exit()>& work) {
     return fail(Exit::interrupted, "interrupted; nothing was written");
   } catch (const std::bad_alloc&) {
     return fail(Exit::system, "out of memory; use larger cells, fewer patches or fewer sources");
+  } catch (const std::system_error& error) {
+    return fail(Exit::system, fmt::format("the system refuses: {}", error.what()));
   } catch (const std::exception& error) {
     return fail(Exit::internal, fmt::format("internal error, please report: {}", error.what()));
   }
@@ -206,7 +183,7 @@ int Program::fail(const InputError& error) const {
 
 Job Program::job() {
   Job job;
-  job.stop = &stop_requested;
+  job.stop = &stop_flag();
   job.memory_limit_bytes = free_memory_bytes();
   if (line_)
     job.progress = [line = line_](const char* stage, double fraction) { line->show(stage, fraction); };
@@ -253,8 +230,8 @@ void Program::stage(const std::string& name) {
     say_verbose(fmt::format("{}: {:.3f} s", clock_->stage, seconds));
   }
   if (line_) line_->clear();
+  if (clock_->stage == kWritingStage) note_written();
   clock_->stage = name;
-  output_begun = name == kWritingStage;
   clock_->stage_start = StageClock::Clock::now();
 }
 

@@ -21,7 +21,7 @@ enum class Exit {
   interrupted = 130
 };
 
-inline constexpr const char* kWritingStage = "write";
+inline constexpr const char* kWritingStage = "write";  ///< once it ends, the result is written
 
 /// What the programs have in common: options of the same names, messages, progress, statistics, exit status.
 class Program {
@@ -55,7 +55,7 @@ class Program {
   void say_verbose(const std::string& text) const;
   void warn(const Warnings& warnings) const;
 
-  /// Starts the clock of a stage, ending the one before. An interruption waits for the end of kWritingStage.
+  /// Starts the clock of a stage, ending the one before.
   void stage(const std::string& name);
   /// What --stats writes, to be added to.
   nlohmann::json& stats() { return *stats_; }

@@ -138,7 +138,8 @@ void ImageCommand::render() {
   const Raster raster = render_view(database, cells, mix, options, program_.job());
   picture.linear.scene_white_xyz = scene_white(database, mix);
   program_.stage(kWritingStage);
-  const auto report = write_picture(executable_folder() + "/../lib/dim", input_.output, raster, picture);
+  const auto report = write_picture(executable_folder() + "/../lib/dim", input_.output, raster, picture,
+                                    program_.job());
   program_.stage("");
   program_.warn(report.warnings);
   if (*format == PictureFormat::png && picture.tone != Tone::false_colour)
