@@ -57,7 +57,8 @@ void remove_temporaries(const std::string& output) {
   }
   const std::scoped_lock lock(outputs_mutex);
   for (const auto& output : outputs) remove_temporaries(output);
-  std::cerr << program << ": error: interrupted" << (written ? "\n" : "; nothing was written\n") << std::flush;
+  std::cerr << program << ": error: interrupted" << (written ? "\n" : "; nothing was written\n")
+            << std::flush;
   _exit(static_cast<int>(Exit::interrupted));
 }
 

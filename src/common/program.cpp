@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <system_error>
@@ -25,10 +26,22 @@ constexpr const char* kExitCodes =
     "Exit status: 0 done, 1 result written but a requested check failed, 2 command line wrong,\n"
     "3 input wrong, 4 file or system, 5 internal error, 130 interrupted.";
 
+// Where the file formats are described: installed with the program, else in the source folder.
+std::string documents() {
+  for (const char* folder : {"/../share/doc/dim", "/../share/dim/docs"}) {
+    std::error_code error;
+    const auto path = std::filesystem::path(executable_folder() + folder).lexically_normal();
+    if (std::filesystem::is_directory(path, error)) return path.string();
+  }
+  return "docs";
+}
+
 constexpr const char* kVersionHelp = "Print version, compiler and file formats";
 
 std::string footer(const std::string& example) {
-  return fmt::format("Example:\n{}\n\n{}", example, kExitCodes);
+  return fmt::format(
+      "Example:\n{}\n\n{}\n\nFile formats: zone-and-lights.md, databases.md and formats.md in {}", example,
+      kExitCodes, documents());
 }
 
 std::string version_text(const std::string& name, const std::string& formats) {
@@ -110,7 +123,10 @@ void Program::apply_options() {
 
 int Program::run(int argc, char** argv, const std::function<Exit()>& work) {
   try {
+    if (argc > 1) refuse_unknown_command(argv[1]);
     app_.parse(argc, argv);
+  } catch (const UsageError& error) {
+    return fail(Exit::usage, error.what());
   } catch (const CLI::Success& success) {
     const int status = app_.exit(success);
     if (std::cout.flush()) return status;
@@ -143,6 +159,23 @@ int Program::run(int argc, char** argv, const std::function<Exit()>& work) {
   } catch (const std::exception& error) {
     return fail(Exit::internal, fmt::format("internal error, please report: {}", error.what()));
   }
+}
+
+// Without this the parser takes a misspelt command for the input file, or says only that one is needed.
+void Program::refuse_unknown_command(const std::string& word) const {
+  std::vector<std::string> known;
+  for (const auto* command : app_.get_subcommands(nullptr)) known.push_back(command->get_name());
+  if (known.empty() || word.empty() || word.front() == '-' || std::count(known.begin(), known.end(), word))
+    return;
+  const bool command_needed = app_.get_require_subcommand_min() > 0;
+  std::error_code error;
+  const bool like_a_file =
+      word.find_first_of("./") != std::string::npos || std::filesystem::exists(word, error);
+  const std::string near = did_you_mean(word, known);
+  if (!command_needed && (like_a_file || near.empty())) return;
+  throw UsageError(
+      fmt::format("there is no command '{}'\n        {}", word,
+                  near.empty() ? fmt::format("the commands are {}", fmt::join(known, ", ")) : near));
 }
 
 // The parser's words, and for a word it does not know the nearest option or command that it does.
@@ -199,7 +232,8 @@ void Program::check_output(const std::string& path, const std::vector<std::strin
   if (!stats_path_.empty()) others.push_back(stats_path_);
   for (const auto& other : others)
     if (is_same_file(path, other))
-      throw UsageError(fmt::format("'{}' would be replaced by the result; give -o another name", other));
+      throw UsageError(
+          fmt::format("'{}' would be replaced by the result\n        give -o another name", other));
   for (const auto& input : inputs)
     if (is_same_file(stats_path_, input))
       throw UsageError(
@@ -242,7 +276,7 @@ void Program::write_stats() {
   stats["version"] = version();
   stats["seconds"]["total"] = StageClock::seconds(clock_->start);
   stats["peak_memory_bytes"] = peak_memory_bytes();
-  write_file(stats_path_, stats.dump(2) + "\n");
+  write_file(stats_path_, stats.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace dim

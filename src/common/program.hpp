@@ -27,6 +27,7 @@ inline constexpr const char* kWritingStage = "write";  ///< once it ends, the re
 class Program {
  public:
   /// @param example  a working command line for the end of --help
+  /// @param formats  "file formats: ..." for --version; the end of --help says where they are described
   Program(std::string name, const std::string& description, const std::string& example,
           const std::string& formats);
 
@@ -63,6 +64,7 @@ class Program {
 
  private:
   void apply_options();
+  void refuse_unknown_command(const std::string& word) const;
   std::string parse_problem(const CLI::ParseError& error, const std::string& first_word) const;
   void write_stats();
   int fail(Exit status, const std::string& text) const;

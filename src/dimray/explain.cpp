@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "common/counted.hpp"
+
 namespace dim {
 namespace {
 
@@ -28,8 +30,8 @@ void explain(Program& program, const ModelPlan& plan) {
                         plan.n_classes, plan.n_classes)
           : (plan.n_bands == 1 ? std::string("1 band")
                                : fmt::format("{} bands, solved apart", plan.n_bands)));
-  say(fmt::format("{} luminaires in {} sources (--combine), {} spectra", plan.n_luminaires, plan.n_sources,
-                  plan.n_spectra));
+  say(fmt::format("{} in {} (--combine), {}", counted(plan.n_luminaires, "luminaire"),
+                  counted(plan.n_sources, "source"), counted(plan.n_spectra, "spectrum", "spectra")));
   if (!plan.without_spectrum.empty())
     say("fittings without a spectrum, taken as equal-energy white: " + list(plan.without_spectrum));
   say("no glazing: no sky");
@@ -37,7 +39,8 @@ void explain(Program& program, const ModelPlan& plan) {
           ? "surfaces may hide each other: visibility of luminaires is tested"
           : "convex and empty zone: visibility of luminaires is not tested (--full visibility)");
   say(fmt::format("{} bytes a ray for its sink", plan.bytes_per_sink));
-  if (plan.n_black_cells > 0) say(fmt::format("{} cells reflect nothing", plan.n_black_cells));
+  if (plan.n_black_cells > 0)
+    say(counted(plan.n_black_cells, "cell reflects nothing", "cells reflect nothing"));
 }
 
 }  // namespace dim
