@@ -150,14 +150,15 @@ class LightsReader {
       if (*lumens == 0.0) return true;
       return table.problem("lumens", "the fitting's own flux is zero: nothing to scale"), false;
     }
-    luminaire.factor *= *lumens / fitting.flux_lm;
+    // The lumens are those of the fitting as new: the entry's lamp and maintenance factors stay.
+    luminaire.factor *= *lumens * fitting.in_use_factor / fitting.flux_lm;
     return true;
   }
 
   void read_spectrum(const TomlTable& table, Luminaire& luminaire) {
     std::optional<SpectralCurve> spectrum;
     std::string spectrum_name;
-    read_spectrum_key(table, spectrum, spectrum_name);
+    read_spectrum_key(table, spectrum, spectrum_name, shelf_.spectra());
     if (!spectrum) return;
     const std::string key =
         spectrum_name.empty() ? fmt::format("line {}", table.place().line) : "named " + spectrum_name;
