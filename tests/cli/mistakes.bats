@@ -31,7 +31,7 @@ solve() { lights "$1"; mistake "$2" "$3" "$4" dimray room.rays l.toml -o y.lum; 
   check "s/^name = \"floor\"/name = floor/" 3 'z.toml:12:' 'text stands in quotes: write name = "floor"'
   check 's/^cell = .*/cell = 0,25/' 3 'z.toml:4:' 'decimals take a point: write 0.25'
   check 's/^cell = .*/cell = 0.25 m/' 3 'z.toml:4:' 'numbers stand without a unit: write 0.25'
-  check 's/diffuse = 0.2 /diffuse = 20 % /' 3 'z.toml:8:' 'bracket or a quote not closed|per cent'
+  check 's/diffuse = 0.2 /diffuse = 20 % /' 3 'z.toml:8:' 'per cent: write a fraction'
   check 's/^cell = .*/cell = 25%/' 3 'z.toml:4:' 'per cent: write a fraction'
   check 's/^name = "floor"/name = "floor/' 3 'z.toml:12:' 'the closing " is missing'
   check 's/^cell = .*/cell =/' 3 'z.toml:4:' 'a value is missing behind cell ='

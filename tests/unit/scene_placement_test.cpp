@@ -32,7 +32,7 @@ void only(const std::vector<std::string>& said, const std::string& words, const 
   REQUIRE(said.size() == 1);
   CHECK(said[0].find(words) != std::string::npos);
   CHECK(said[0].find(cure) != std::string::npos);
-  CHECK(said[0].starts_with("room.toml:"));
+  CHECK((said[0].starts_with("room.toml:") || said[0].starts_with("--set ")));
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ TEST_CASE("Furniture outside the zone or through a wall is warned of with its li
   // Larger than the room: every corner is outside, its middle not.
   only(warnings_of(
            kRoom +
-           "[[box]]\nname = \"desk\"\nfinish = \"wall\"\ncorner = [-70,-35,-36]\nsize = [140,70,72]\n"),
+           "[[box]]\nname = \"desk\"\nfinish = \"wall\"\ncorner = [-67,-33,-35]\nsize = [140,70,72]\n"),
        "box 'desk' goes through", "the size");
   only(warnings_of(kRoom + "[[surface]]\nname = \"p\"\nfinish = \"wall\"\nsides = 2\n"
                            "vertices = [[3,0,0],[3,5,0],[3,5,2],[3,0,2]]\n"),

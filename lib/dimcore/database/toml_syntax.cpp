@@ -42,6 +42,25 @@ bool has_typographic_quotes(std::string_view line) {
                      [&](std::string_view quote) { return line.find(quote) != std::string_view::npos; });
 }
 
+/// "20 %" outside quotes, as in an inline table.
+bool has_bare_percent(std::string_view line) {
+  char quote = 0;
+  bool after_number = false;
+  for (const char c : line) {
+    if (quote != 0) {
+      if (c == quote) quote = 0;
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else if (c == '#') {
+      return false;
+    } else if (c == '%' && after_number) {
+      return true;
+    }
+    after_number = is_digit(c) || (after_number && c == ' ');
+  }
+  return false;
+}
+
 /// A comment is left out where no quote stands before it.
 std::string_view without_comment(std::string_view value) {
   const auto mark = value.find('#');
@@ -59,7 +78,6 @@ std::string number_cure(std::string_view value) {
   if (rest.front() == ',' && rest.size() > 1 && is_digit(rest[1]) && number.find('.') == std::string::npos)
     return fmt::format("decimals take a point: write {}.{}", number,
                        rest.substr(1, rest.find_first_not_of("0123456789", 1) - 1));
-  if (rest == "%") return fmt::format("per cent: write a fraction, or \"{} %\" in quotes", number);
   if (is_letter(rest.front()))
     return fmt::format("numbers stand without a unit: write {}; the file's `unit` says what lengths are in",
                        number);
@@ -87,6 +105,7 @@ std::string value_cure(std::string_view key, std::string_view value) {
 std::string syntax_cure(std::string_view text, int line) {
   const std::string_view whole = trimmed(line_of(text, line));
   if (has_typographic_quotes(whole)) return "typographic quotes: write straight ones, \" or '";
+  if (has_bare_percent(whole)) return "per cent: write a fraction, 0.2, or text in quotes, \"20 %\"";
   if (whole.find("] [") != std::string_view::npos || whole.find("][") != std::string_view::npos)
     return "a comma is missing between ] and [";
   if (whole.starts_with('[') && whole.find('=') == std::string_view::npos)
