@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "common/counted.hpp"
+#include "common/database_option.hpp"
+#include "common/option_checks.hpp"
 #include "dimdis/options.hpp"
 #include "network/network_storage.hpp"
 #include "network/point_places.hpp"
@@ -44,6 +47,7 @@ Exit DiscretiseCommand::run() {
   if (output_.empty()) throw UsageError("no output given; use -o ROOM.rays, or -o - for a pipe");
   refuse_terminal(output_, "a ray network");
   program_.check_output(output_, {input_.path});
+  refuse_database_file(output_, database_search(input_.database, input_.path));
   NetworkOptions options;
   options.patches = patches_of(patches_, "--patches");
   const bool automatic = point_patches_ == "auto";
@@ -56,6 +60,8 @@ Exit DiscretiseCommand::run() {
   Zone zone = read_zone(program_, input_);
   program_.stage("cells");
   const Cells cells(zone);
+  if (zone.points.empty())
+    refuse_without_effect(program_.app(), {"--point-patches"}, "in a zone without measuring points");
   if (automatic) options.point_patches = automatic_point_patches(zone.points.size());
   program_.stage("rays");
   const Job job = program_.job();
@@ -67,9 +73,10 @@ Exit DiscretiseCommand::run() {
 
   program_.warn(left_out_warnings(zone));
   const std::size_t n_rays = network.sinks.n_rays() + network.point_sinks.n_rays();
-  program_.say_verbose(fmt::format("{} surfaces, {} cells x {} patches, {} points x {} patches: {} rays",
-                                   zone.surfaces.size(), cells.size(), options.patches.n_patches(),
-                                   zone.points.size(), options.point_patches.n_patches(), n_rays));
+  program_.say_verbose(fmt::format(
+      "{}, {} x {}, {} x {}: {}", counted(zone.surfaces.size(), "surface"), counted(cells.size(), "cell"),
+      counted(options.patches.n_patches(), "patch", "patches"), counted(zone.points.size(), "point"),
+      counted(options.point_patches.n_patches(), "patch", "patches"), counted(n_rays, "ray")));
   auto& stats = program_.stats();
   stats["zone"] = zone.name;
   stats["surfaces"] = zone.surfaces.size();

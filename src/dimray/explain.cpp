@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "common/counted.hpp"
+
 namespace dim {
 namespace {
 
@@ -34,8 +36,8 @@ void explain(Program& program, const ModelPlan& plan, const BandChoice& bands) {
             ? fmt::format("{} of the wavebands reflect differently and are solved (--full bands)",
                           plan.n_classes)
             : "all wavebands reflect differently and are solved");
-  say(fmt::format("{} luminaires in {} sources (--combine), {} spectra", plan.n_luminaires, plan.n_sources,
-                  plan.n_spectra));
+  say(fmt::format("{} in {} (--combine), {}", counted(plan.n_luminaires, "luminaire"),
+                  counted(plan.n_sources, "source"), counted(plan.n_spectra, "spectrum", "spectra")));
   say(plan.n_bodies == 0 ? std::string("no luminaire has a body: the network's rays are as they are stored")
                          : fmt::format("{} luminaire bodies with {} cells stand among the network's rays",
                                        plan.n_bodies, plan.n_body_cells));
@@ -46,7 +48,8 @@ void explain(Program& program, const ModelPlan& plan, const BandChoice& bands) {
           ? "surfaces may hide each other: visibility of luminaires is tested"
           : "convex and empty zone: visibility of luminaires is not tested (--full visibility)");
   say(fmt::format("{} bytes a ray for its sink", plan.bytes_per_sink));
-  if (plan.n_black_cells > 0) say(fmt::format("{} cells reflect nothing", plan.n_black_cells));
+  if (plan.n_black_cells > 0)
+    say(counted(plan.n_black_cells, "cell reflects nothing", "cells reflect nothing"));
 }
 
 }  // namespace dim

@@ -254,7 +254,7 @@ fitting() {
   printf 'file = "nothing.ies"\n' > $entry
   use "troffer-3600.toml:1:8: .*nothing.ies: cannot read"
   printf 'file = "../../picture.png"\n' > $entry
-  use "troffer-3600.toml:1:8: .*not an .ies or .ldt file"
+  use "troffer-3600.toml:1:8: .*not an .ies, .ldt or .xml file"
   truncate -s 1G $entry
   use "troffer-3600.toml: .*1 GiB"
   surface=db/surfaces/paint-white-matt.toml

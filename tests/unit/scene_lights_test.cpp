@@ -270,7 +270,8 @@ TEST_CASE("Wrong luminaires are refused with place and cure", "[scene][lights][u
             "lamps/lights.toml:6:6: luminaire 'A1': c0 is parallel to aim\n        C = 0 is a direction "
             "across the aim");
   check_one(light_problems(one(lamp + "count = [2,2]")),
-            "lamps/lights.toml:6:9: luminaire 'A1': an array of luminaires needs both count and pitch");
+            "lamps/lights.toml:6:9: luminaire 'A1': an array of luminaires needs both count and pitch\n"
+            "        write pitch = [step along x, step along y]");
   check_one(light_problems(one(lamp + "count = [0,2]\npitch = [1,1]")),
             "lamps/lights.toml:6:10: luminaire 'A1': count must be 1 to 10000, not 0");
   check_one(

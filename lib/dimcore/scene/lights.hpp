@@ -26,6 +26,7 @@ struct Fitting {
   std::string spectrum_name;     ///< where the spectrum was asked for by name
   double watts = 0.0;            ///< 0 where not known
   std::optional<LampTilt> tilt;  ///< how the lamps' output changes with the luminaire's position
+  double in_use_factor = 1.0;    ///< flux in use over flux as new, in `intensity`: the entry's factors
 };
 
 /// One luminaire in its place. Its frame is x = c0, y = c90, z = aim, as IntensityTable and LuminousOpening
