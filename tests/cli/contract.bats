@@ -89,7 +89,7 @@ near() { awk -v a="$1" -v b="$2" 'BEGIN { d = a - b; if (d < 0) d = -d; exit !(d
 
 @test "sources add up, and --mix scales a source, a group, a luminaire" {
   all=$(mean room.lum)
-  by=$(dimout grid room.lum --plane workplane --stats --by source | awk -F, 'NR > 1 { s += $(NF - 3) } END { printf "%.9g", s }')
+  by=$(dimout grid room.lum --plane workplane --stats --by source | awk -F, 'NR > 1 { s += $5 } END { printf "%.9g", s }')
   near "$by" "$all"
   spot=$(mean room.lum --mix panels=0)
   panels=$(mean room.lum --mix spot=0)
@@ -129,7 +129,8 @@ near() { awk -v a="$1" -v b="$2" 'BEGIN { d = a - b; if (d < 0) d = -d; exit !(d
   [ "$(dimout info b.lum --json | jq -c .bands_nm)" = "[380,480,580,780]" ]
   # The room is grey: one band, and the very same file.
   run --separate-stderr dimray room.rays room.lights.toml -o auto.lum --bands auto
-  [[ "$stderr" == *"1 waveband: colours within dE00 0.00, luminances within 0.00 %"* ]]
+  [ "$status" -eq 0 ]
+  [ "$(dimout info auto.lum --json | jq '.bands_nm | length')" -eq 2 ]
   dimray room.rays room.lights.toml -q -o one.lum --bands 1
   cmp auto.lum one.lum
   dimdis room.zone.toml -q --patches 64 --set 'finishes.dark={diffuse=[[380,0.05],[580,0.06],[620,0.6],[780,0.7]]}' -o red.rays
@@ -266,7 +267,7 @@ near() { awk -v a="$1" -v b="$2" 'BEGIN { d = a - b; if (d < 0) d = -d; exit !(d
   run --separate-stderr dimray coarse.rays room.lights.toml -o coarse.lum
   echo "$stderr"
   [ "$status" -eq 1 ]
-  [[ "$stderr" == *"energy balance is open"* ]]
+  [[ "$stderr" == *"the energy balance of source "*" is open by "* ]]
   dimout info coarse.lum > /dev/null
 }
 

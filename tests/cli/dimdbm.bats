@@ -115,7 +115,7 @@ setup() {
   printf 'nm;W\n380;-0,1\n480;40\n580;90\n680;30\n780;0\n' > own.csv
   dimdbm add own.csv --kind lamp --db mine --quiet
   grep -q '^power = \[' mine/spectra/own.toml
-  [ "$(dimdbm show own --db mine --json | jq -c '[.kind, .peak_nm]')" = '["spectrum",580.0]' ]
+  [ "$(dimdbm show own --db mine --json | jq '.kind == "spectrum" and .peak_nm == 580')" = true ]
   dimdbm list --db mine --kind spectra | grep -q '^own .*spectrum'
   dimdbm plot own --db mine -o own.svg --quiet
   grep -q 'relative power' own.svg

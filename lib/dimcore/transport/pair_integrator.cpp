@@ -24,6 +24,8 @@ constexpr double kSpill = 1e-3;
 // Shadows are found in parts of a pair that are not nearer than this, to a depth.
 constexpr double kNearShadow = 1.0;
 constexpr int kMostShadowHalvings = 8;
+// Pairs of points tried for each that a beam lights.
+constexpr int kMostTries = 64;
 // With fewer lines than this, rays cost less.
 constexpr int kFewLines = 4;
 // Seen at grazing angles from a cell that faces it, an opening's projected area vanishes.
@@ -102,7 +104,10 @@ std::array<PairIntegrator::Side, 2> PairIntegrator::halves(const Side& whole) {
 bool PairIntegrator::clip(const Receiver& receiver, Side& cell, Side& opening) const {
   const Frame& frame = *receiver.frame;
   const ConvexRing above = opening_.ring.front_of(frame.n, glm::dot(frame.n, receiver.ring[0]));
-  if (above.empty() || (above.size() == 1 && !(glm::dot(frame.n, above[0] - receiver.ring[0]) > 0.0))) return false;
+  if (above.empty()) return false;
+  double highest_m = 0.0;
+  for (const Vec3& corner : above) highest_m = std::max(highest_m, glm::dot(frame.n, corner - receiver.ring[0]));
+  if (!(highest_m > caster_.tolerance_m())) return false;
   opening = side(above, above.measure() / opening_.measure);
   if (!(opening.share > 0.0)) return false;
   if (!fitting_.intensity.zero_behind() || luminaire_.opening.shape == OpeningShape::kVerticalEllipse) {
@@ -128,7 +133,8 @@ DirectEstimate PairIntegrator::mean(const Receiver& receiver, PlatesBetween& bet
   const double lines = std::max(2.0, options_.shadow_lines * importance);
   const bool ray = receiver.is_point() && opening.ring.size() == 1;
   if (ray) return {blocked(receiver.ring[0], opening.ring[0], receiver.skip) ? 0.0 : free_lx, 0.0};
-  if (lines < kFewLines || !emitter_.mirrors.empty())
+  const bool beam = beam_ < kNear;
+  if ((lines < kFewLines && !beam) || !emitter_.mirrors.empty())
     return by_rays(pair, free_lx, static_cast<int>(std::ceil(lines)), receiver.skip, chance);
   if (!between.known) find(between);
   if (between.found.empty()) return {free_lx, 0.0};
@@ -301,34 +307,46 @@ DirectEstimate PairIntegrator::shadowed(const Pair& pair, std::vector<int> plate
 class HalfSums {
  public:
   void add(double free, double visible) {
-    free_[n_ & 1] += free;
-    visible_[n_ & 1] += visible;
-    ++n_;
+    Half& half = half_[n_lit_ & 1];
+    half.free += free;
+    half.visible += visible;
+    ++half.n;
+    n_lit_ += free > 0.0;
   }
   DirectEstimate estimate(double free_lx) const {
-    std::array<double, 2> half{};
+    std::array<double, 2> lx{};
     for (std::size_t h = 0; h < 2; ++h) {
-      const double n = h == 0 ? static_cast<double>((n_ + 1) / 2) : static_cast<double>(n_ / 2);
-      const double share = free_[1 - h] > 0.0 ? visible_[1 - h] / free_[1 - h] : 0.5;
-      half[h] = share * free_lx + (visible_[h] - share * free_[h]) / n;
+      const Half &own = half_[h], &other = half_[1 - h];
+      const double share = other.free > 0.0 ? other.visible / other.free : own.free > 0.0 ? own.visible / own.free : 0.5;
+      lx[h] = share * free_lx + (own.n > 0.0 ? (own.visible - share * own.free) / own.n : 0.0);
     }
-    const double mean = 0.5 * (half[0] + half[1]), apart = 0.5 * (half[0] - half[1]);
+    const double mean = 0.5 * (lx[0] + lx[1]), apart = 0.5 * (lx[0] - lx[1]);
     return {std::max(0.0, mean), apart * apart};
   }
 
  private:
-  std::size_t n_ = 0;
-  std::array<double, 2> free_{}, visible_{};
+  struct Half {
+    double n = 0.0, free = 0.0, visible = 0.0;
+  };
+  std::size_t n_lit_ = 0;
+  std::array<Half, 2> half_{};
 };
 
 DirectEstimate PairIntegrator::by_rays(const Pair& pair, double free_lx, int n, int skip, Chance& chance) const {
   const double share = pair.cell.share * pair.opening.share;
   HalfSums sums;
-  for (int i = 0; i < n; ++i) {
+  // Of a beam that lights little of the cell, pairs of points that it misses tell nothing.
+  const int most = kMostTries * n;
+  for (int i = 0, n_lit = 0; n_lit < n && i < most; ++i) {
     const auto x = chance.draw();
     const Vec3 p = pair.cell.ring.sample(x[0], x[1]), q = pair.opening.ring.sample(x[2], x[3]);
     const double lx = share * illuminance(pair.normal, p, q);
-    sums.add(lx, lx > 0.0 && !blocked(p, q, skip) ? lx : 0.0);
+    if (!(lx > 0.0)) {
+      sums.add(0.0, 0.0);
+      continue;
+    }
+    sums.add(lx, blocked(p, q, skip) ? 0.0 : lx);
+    ++n_lit;
   }
   return sums.estimate(free_lx);
 }
