@@ -121,7 +121,9 @@ setup() {
   grep -q 'relative power' own.svg
   dimdbm add axial.ies --db mine --spectrum own --quiet
   dimdbm check --db mine
-  [ "$(dimdbm show axial --db mine --json | jq .cct_K)" = "$(dimdbm show own --db mine --json | jq .cct_K)" ]
+  # To 2 K: a lamp's figures come from sums every 5 nm, a fitting's from the whole curve.
+  jq -n --argjson a "$(dimdbm show axial --db mine --json | jq .cct_K)" --argjson b "$(dimdbm show own --db mine --json | jq .cct_K)" \
+    -e '$a - $b | . * . < 4' > /dev/null
   dimdbm export own --db mine --format toml | cmp - mine/spectra/own.toml
   refused 3 "'led-4000' is a spectrum that DIM knows by itself" dimdbm add own.csv --kind lamp --name led-4000 --db mine
   refused 3 "no visible light" dimdbm add <(printf '380 0\n780 0\n') --kind lamp --name dark --db mine

@@ -69,7 +69,7 @@ TEST_CASE("A line of luminaires runs from end to end, both included", "[scene][l
   CHECK(problem("line = { from = [1,1,2], to = [4,2.5,2], count = 1 }\n").find("count must be 2 to") !=
         std::string::npos);
   CHECK(problem("line = { from = [1,1,2], to = [9,2.5,2], count = 3 }\n")
-            .find("'A[2]' at [9, 2.5, 2] is outside") != std::string::npos);
+            .find("'A[2]' at (9, 2.5, 2) is outside") != std::string::npos);
 }
 
 TEST_CASE("A ring of luminaires turns each with its place", "[scene][lights][unit]") {

@@ -83,8 +83,8 @@ TEST_CASE("An external obstruction may stand outside", "[scene][placement][unit]
 TEST_CASE("An eye outside the zone or inside something is warned of at its line",
           "[scene][placement][unit]") {
   only(warnings_of(kDesk, {"view.door.eye=[1.2,1.2,0.4]"}),
-       "view 'door': its eye [1.2, 1.2, 0.4] lies inside box 'desk'", "move the eye");
-  only(warnings_of(kDesk, {"view.door.eye=[30,30,160]"}), "its eye [30, 30, 160] lies outside the zone",
+       "view 'door': its eye (1.2, 1.2, 0.4) lies inside box 'desk'", "move the eye");
+  only(warnings_of(kDesk, {"view.door.eye=[30,30,160]"}), "its eye (30, 30, 160) lies outside the zone",
        "is in m");
 }
 
