@@ -174,9 +174,8 @@ std::optional<std::string> TomlTable::word(std::string_view key,
   if (!value || std::count(words.begin(), words.end(), *value)) return value;
   std::string all;
   for (const auto& one : words) all += (all.empty() ? "" : ", ") + one;
-  auto cure = did_you_mean(*value, words);
-  if (cure.empty()) cure = fmt::format("write for example {} = \"{}\"", key, words.front());
-  problem(key, fmt::format("{} must be one of {}, not '{}'", key, all, shown(*value)), cure);
+  const auto suggestion = did_you_mean(*value, words);
+  problem(key, fmt::format("{} must be one of {}, not '{}'", key, all, shown(*value)), suggestion);
   return std::nullopt;
 }
 
