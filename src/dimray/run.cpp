@@ -136,9 +136,7 @@ Exit SolveCommand::run() {
   const DatabaseSearch search = database_search(database_, lights_);
   for (const auto& finish : finishes_) replace_finish(rays.zone, finish, search);
   const Lights all_lights = lights(rays.zone, search);
-  const Cells cells(rays.zone);
-  if (cells.size() != rays.network.sinks.n_rows())
-    throw IoError(rays_, "its network does not fit its zone; make it again with this version of dimdis");
+  const Cells& cells = rays.cells;
 
   program_.stage("solve");
   const Job job = program_.job();

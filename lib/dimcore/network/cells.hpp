@@ -13,6 +13,7 @@ namespace dim {
 /// holds the zone has the same cells under the same numbers.
 class Cells {
  public:
+  Cells() = default;
   /// External obstructions get no cells.
   explicit Cells(const Zone& zone);
 

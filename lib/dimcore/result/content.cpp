@@ -54,8 +54,10 @@ IntensityTable shown_intensity(const std::vector<float>& intensity_cd) {
   return IntensityTable(grid);
 }
 
-ResultContent content_of(const Zone& zone, const Lights& lights, const Solution& solution) {
+ResultContent content_of(const Zone& zone, const Cells& cells, const Lights& lights,
+                         const Solution& solution) {
   ResultContent content;
+  content.cells = cells;
   content.zone = zone;
   content.bands = solution.bands;
   content.classes = solution.classes;
@@ -67,6 +69,8 @@ ResultContent content_of(const Zone& zone, const Lights& lights, const Solution&
     auto& spectrum = content.spectra[source];
     spectrum = {fitting.spectrum, spectrum.known && fitting.has_spectrum};
     content.luminaires.push_back(shown(luminaire, source));
+    const std::size_t l = content.luminaires.size() - 1;
+    if (l < solution.mirror_depth.size()) content.luminaires.back().mirror_depth = solution.mirror_depth[l];
   }
   for (const auto& fitting : lights.fittings) {
     content.photometry.push_back({fitting.name, fitting.intensity.flux_lm(), fitting.watts,
@@ -75,7 +79,6 @@ ResultContent content_of(const Zone& zone, const Lights& lights, const Solution&
   }
   content.off_specular = solution.directional.cells;
   content.directional_grid = solution.directional.grid;
-  content.n_cells = solution.n_cells;
   content.n_direct_classes = solution.n_direct_classes;
   return content;
 }

@@ -23,7 +23,8 @@ struct ShownLuminaire {
   LuminousOpening opening;
   std::size_t photometry = 0;  ///< index into ResultContent::photometry
   double factor = 1.0;
-  bool body = false;  ///< the opening also obstructs
+  bool body = false;     ///< the opening also obstructs
+  int mirror_depth = 0;  ///< mirrors one after the other that the cells' direct light has images of it in
 };
 
 /// Mean intensity over C at each degree of gamma from 0 to 180, cd.
@@ -58,12 +59,12 @@ struct ResultContent {
   std::vector<IntensityTable> intensities;
   std::vector<std::uint32_t> off_specular;  ///< cells with a lobe, ascending
   PatchGrid directional_grid;
-  std::size_t n_cells = 0;
+  Cells cells;
   std::size_t n_direct_classes = 1;
 };
 
 /// @throws InternalError  a luminaire that belongs to no source
-ResultContent content_of(const Zone& zone, const Lights& lights, const Solution& solution);
+ResultContent content_of(const Zone& zone, const Cells& cells, const Lights& lights, const Solution& solution);
 
 /// Intensities on the grid of directions, C slowest, as a table.
 IntensityTable shown_intensity(const std::vector<float>& intensity_cd);

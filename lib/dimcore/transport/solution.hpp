@@ -77,6 +77,7 @@ struct Solution {
   std::vector<float> point_direct, point_total;
   Directional directional;
   ModelPlan plan;
+  std::vector<int> mirror_depth;  ///< [n_luminaires] that cells have images of each in; empty: none
   std::map<std::string, double> counters;  ///< what was done: rays by kind, culled pairs, iterations …
 
   std::size_t cell_row(std::size_t source, std::size_t klass) const {
