@@ -6,6 +6,7 @@
 
 #include "common/program.hpp"
 #include "common/table.hpp"
+#include "image/writer.hpp"
 #include "result/luminous.hpp"
 
 namespace dim {
@@ -77,6 +78,7 @@ class ImageCommand {
 
  private:
   void render();
+  void refuse_idle_options(PictureFormat format) const;
   View chosen_view(const Zone& zone) const;
 
   Program& program_;

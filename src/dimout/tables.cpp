@@ -148,13 +148,14 @@ void TableCommands::grid() {
 }
 
 void TableCommands::grid_stats(const LuminanceDatabase& database, const std::vector<PointSet>& sets) {
-  Table table(columns_with_source(input_, {"plane", "points", "min_lx", "mean_lx", "max_lx", "u0", "ud"}));
+  Table table(columns_with_source(
+      input_, {"plane", "points", "min_lx", "mean_lx", "max_lx", "u0", "ud", "left_out"}));
   for_sources(database, input_, [&](const std::string& source, const Mix& mix) {
     const auto lx = point_illuminance_lx(database, mix);
     for (const auto& set : sets) {
-      const auto s = grid_statistics(lx, set);
-      table.add(row_with_source(
-          source, {set.name, static_cast<long>(s.n_points), s.min_lx, s.mean_lx, s.max_lx, s.u0, s.ud}));
+      const auto s = grid_statistics(lx, database.zone().points, set);
+      table.add(row_with_source(source, {set.name, static_cast<long>(s.n_points), s.min_lx, s.mean_lx,
+                                         s.max_lx, s.u0, s.ud, static_cast<long>(s.n_left_out)}));
     }
   });
   write_table(program_, table, input_);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "common/counted.hpp"
+
 namespace dim {
 namespace {
 
@@ -19,18 +21,26 @@ void explain(Program& program, const ModelPlan& plan, const BandChoice& bands) {
                     list(plan.off_specular), plan.n_off_specular_cells, plan.n_lobe_patches));
   if (plan.mirrors.empty())
     say("no mirror: rays end where they first meet a surface, no images of luminaires");
-  else
+  else {
+    say(fmt::format("mirrors: {}; rays go on there ({:.2g} % of their light met too many)",
+                    list(plan.mirrors), 100.0 * plan.mirror_rays_cut_off));
     say(fmt::format(
-        "mirrors: {}; rays go on there ({:.2g} % of their light met too many), {} images of luminaires",
-        list(plan.mirrors), 100.0 * plan.mirror_rays_cut_off, plan.n_images));
+        "{} images of luminaires, on cells {} deep, {:.2g} % of a source's light followed from the last on by "
+        "{} rays; at points good to {:.2g} % (--mirror-depth)",
+        plan.n_images, plan.mirror_depth, 100.0 * plan.mirror_rays_share, plan.n_mirror_rays,
+        100.0 * plan.images_uncertain));
+  }
   say(in_words(bands));
   if (plan.n_bands > 1)
     say(plan.n_classes < plan.n_bands
             ? fmt::format("{} of the wavebands reflect differently and are solved (--full bands)",
                           plan.n_classes)
             : "all wavebands reflect differently and are solved");
-  say(fmt::format("{} luminaires in {} sources (--combine), {} spectra", plan.n_luminaires, plan.n_sources,
-                  plan.n_spectra));
+  say(fmt::format("{} in {} (--combine), {}", counted(plan.n_luminaires, "luminaire"),
+                  counted(plan.n_sources, "source"), counted(plan.n_spectra, "spectrum", "spectra")));
+  say(plan.n_bodies == 0 ? std::string("no luminaire has a body: the network's rays are as they are stored")
+                         : fmt::format("{} luminaire bodies with {} cells stand among the network's rays",
+                                       plan.n_bodies, plan.n_body_cells));
   if (!plan.without_spectrum.empty())
     say("fittings without a spectrum, taken as equal-energy white: " + list(plan.without_spectrum));
   say("no glazing: no sky");
@@ -38,7 +48,8 @@ void explain(Program& program, const ModelPlan& plan, const BandChoice& bands) {
           ? "surfaces may hide each other: visibility of luminaires is tested"
           : "convex and empty zone: visibility of luminaires is not tested (--full visibility)");
   say(fmt::format("{} bytes a ray for its sink", plan.bytes_per_sink));
-  if (plan.n_black_cells > 0) say(fmt::format("{} cells reflect nothing", plan.n_black_cells));
+  if (plan.n_black_cells > 0)
+    say(counted(plan.n_black_cells, "cell reflects nothing", "cells reflect nothing"));
 }
 
 }  // namespace dim

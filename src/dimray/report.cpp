@@ -61,7 +61,12 @@ nlohmann::json source_json(const Source& source) {
 void fill_stats(nlohmann::json& stats, const Solution& solution, const Totals& sum, const WorstBalance& worst) {
   stats["sources"] = nlohmann::json::array();
   for (const auto& source : solution.sources) stats["sources"].push_back(source_json(source));
+  stats["luminaire_bodies"] = solution.plan.n_bodies;
   stats["luminaire_images"] = solution.plan.n_images;
+  stats["mirror_depth"] = solution.plan.mirror_depth;
+  stats["mirror_rays"] = solution.plan.n_mirror_rays;
+  stats["mirror_rays_share"] = solution.plan.mirror_rays_share;
+  stats["images_uncertain"] = solution.plan.images_uncertain;
   stats["mirror_rays_cut_off"] = solution.plan.mirror_rays_cut_off;
   stats["cells"] = solution.n_cells;
   stats["points"] = solution.n_points;
@@ -97,7 +102,8 @@ Exit report(Program& program, const Solution& solution, const EndOfBounces& end)
           ? fmt::format("inter-reflection tracked, {:.2g} % of the light dropped", 100.0 * sum.residual)
           : fmt::format("inter-reflection cut after {} iterations, error at most {:.2g} % of a source's mean",
                         sum.iterations, 100.0 * sum.error_bound));
-  if (!end.tracked && !(sum.residual <= end.tolerance)) {
+  if ((!end.tracked && !(sum.residual <= end.tolerance)) ||
+      !(solution.plan.images_uncertain <= end.tolerance)) {
     program.say("the accuracy asked for was not reached");
     return Exit::check_failed;
   }

@@ -85,8 +85,12 @@ SolveCommand::SolveCommand(Program& program) : program_(program) {
       ->check(number_within(1e-12, 0.5))
       ->type_name("SHARE")
       ->group("Accuracy");
-  app.add_option("--mirror-depth", mirror_depth_, "Mirrors one after the other that luminaires are imaged in")
-      ->check(CLI::Range(0, 16))
+  app.add_option(
+         "--mirror-depth", mirror_depth_,
+         "Mirrors one after the other that luminaires are imaged in, in place of as many as --tolerance "
+         "asks for")
+      ->check(CLI::Range(0, 1000))
+      ->default_str("")
       ->group("Accuracy");
   app.add_flag("--explain", explain_, "Say what the scene requires of the model, and what is left out")
       ->group("Model");
@@ -109,7 +113,7 @@ SimulationOptions SolveCommand::options(const Bands& bands) const {
   options.gather.tolerance = tolerance_;
   options.solver = solver_ == "track" ? Solver::track : Solver::gather;
   options.track.threshold = threshold_;
-  options.mirror_depth = mirror_depth_;
+  if (mirror_depth_ >= 0) options.mirror_depth = mirror_depth_;
   const auto kept = [&](const char* what) {
     return std::find(full_.begin(), full_.end(), what) != full_.end();
   };
@@ -122,14 +126,25 @@ Lights SolveCommand::lights(const Zone& zone, const DatabaseSearch& search) {
   constexpr std::size_t kMaxLightsBytes = 64 << 20;
   Warnings warnings;
   const std::string text = read_text_file(lights_, kMaxLightsBytes, program_.job());
-  Lights lights = read_lights(text, lights_ == "-" ? "<stdin>" : lights_, overrides_, zone, search, warnings);
+  std::vector<std::string> read;
+  const FileLoader load = [&](const std::string& path) {
+    read.push_back(path);
+    return load_from_disk()(path);
+  };
+  Lights lights =
+      read_lights(text, lights_ == "-" ? "<stdin>" : lights_, overrides_, zone, search, warnings, load);
   program_.warn(warnings);
+  // Before the work: an output that would replace what the lights file names.
+  program_.check_output(output_, read);
+  refuse_database_file(output_, search);
   return lights;
 }
 
 Exit SolveCommand::run() {
   if (rays_ == "-" && lights_ == "-") throw UsageError("only one of the two inputs can be standard input");
   refuse_terminal(output_, "a luminance database");
+  if (solver_ != "track") refuse_without_effect(program_.app(), {"--threshold"}, "without --solver track");
+  if (solver_ == "track") refuse_without_effect(program_.app(), {"--tolerance"}, "with --solver track");
   program_.check_output(output_, {rays_, lights_});
   program_.stage("read");
   RaysFile rays = load_rays(rays_, program_.job());

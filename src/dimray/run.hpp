@@ -32,7 +32,7 @@ class SolveCommand {
   std::string bands_ = "auto";
   std::string solver_ = "gather";
   double threshold_ = TrackOptions{}.threshold;
-  int mirror_depth_ = SimulationOptions{}.mirror_depth;
+  int mirror_depth_ = -1;
   bool explain_ = false;
   std::vector<std::string> full_;
 };

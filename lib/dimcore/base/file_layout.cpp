@@ -50,6 +50,8 @@ bool fits(T value, Allowed allowed, std::size_t end) {
       return number > 0.0;
     case Allowed::share:
       return number >= -kRounding && number <= 1.0 + kRounding;
+    case Allowed::flag:
+      return number == 0.0 || number == 1.0;
     case Allowed::index:
       return number >= 0.0 && number < static_cast<double>(end);
     case Allowed::index_or_end:
@@ -69,6 +71,8 @@ std::string range_in_words(const DatasetRule& rule, std::size_t end) {
       return "not a finite number above 0";
     case Allowed::share:
       return "outside 0..1";
+    case Allowed::flag:
+      return "neither 0 nor 1";
     case Allowed::index:
       return fmt::format("not below {} ({})", end, rule.end);
     case Allowed::index_or_end:

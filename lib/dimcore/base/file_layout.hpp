@@ -19,6 +19,7 @@ enum class Allowed {
   not_negative,
   positive,
   share,        ///< 0..1
+  flag,         ///< 0 or 1
   index,        ///< below the size named by `end`
   index_or_end  ///< that size as well: none
 };

@@ -6,28 +6,17 @@
 namespace dim {
 namespace {
 
-constexpr int kRoundCorners = 48;
-constexpr int kMostMirrors = 16;      // that a line of sight goes on at
-constexpr int kImageDepth = 3;        // mirrors that luminaires are imaged in for direct light point by point
-constexpr int kShadowRays = 64;       // from each luminaire to a pixel, over all its samples
+constexpr double kUnseen = 1e-3;      // of what a line of sight shows, left after mirrors: it ends there,
+constexpr int kMostMirrors = 1000;    // and where nothing is taken by any
+constexpr int kShadowLines = 64;      // from each luminaire to a pixel, over all its samples
 constexpr int kHighlightPaths = 144;  // the same for lobes
 
-// Outline of a luminous opening in space, empty where it has no area.
-Ring3 outline(const ShownLuminaire& luminaire) {
-  const auto at = [&](double x, double y) { return luminaire.at + x * luminaire.c0 + y * luminaire.c90; };
-  const double a = luminaire.opening.length_m / 2.0, b = luminaire.opening.width_m / 2.0;
-  if (!(area_m2(luminaire.opening) > 0.0) || !(a > 0.0) || !(b > 0.0)) return {};
-  const auto shape = luminaire.opening.shape;
-  if (shape == OpeningShape::kEllipse || shape == OpeningShape::kVerticalCylinder ||
-      shape == OpeningShape::kEllipsoid) {
-    // Corners a little outside, so that the area, and with it the light shown, is that of the round shape.
-    const double turn = 2.0 * kPi / kRoundCorners, swell = std::sqrt(turn / std::sin(turn));
-    Ring3 ring;
-    for (int i = 0; i < kRoundCorners; ++i)
-      ring.push_back(at(swell * a * std::cos(i * turn), swell * b * std::sin(i * turn)));
-    return ring;
-  }
-  return {at(-a, -b), at(a, -b), at(a, b), at(-a, b)};
+// Outline of a luminous opening in space, empty where it has no horizontal area.
+Ring3 outline_of(const ShownLuminaire& luminaire) {
+  if (luminaire.opening.shape == OpeningShape::kVerticalEllipse) return {};
+  Ring3 ring = outline(luminaire.opening);
+  for (auto& p : ring) p = luminaire.at + p.x * luminaire.c0 + p.y * luminaire.c90;
+  return ring;
 }
 
 Lights lights_of(const LuminanceDatabase& database) {
@@ -78,31 +67,36 @@ Shader::Shader(const LuminanceDatabase& database, const Cells& cells, const Mix&
                                                  zone_.finishes[finish].roughness);
   }
   for (const auto& luminaire : database.luminaires()) {
-    const Ring3 ring = outline(luminaire);
+    const Ring3 ring = outline_of(luminaire);
     if (!ring.empty()) openings_.push_back({&luminaire, Polygon(ring)});
   }
   auto plates = plates_of(zone_);
   for (const auto& opening : openings_) plates.push_back({&opening.polygon});
+  lights_ = lights_of(database_);
+  obstructions_ = std::make_unique<Obstructions>(zone_, lights_);
+  for (const auto& plate : plates_of(obstructions_->bodies())) plates.push_back(plate);
   caster_ = std::make_unique<RayCaster>(std::move(plates), zone_.diameter_m);
   make_lamps(mix);
 }
 
 void Shader::make_lamps(const Mix& mix) {
-  lights_ = lights_of(database_);
-  obstructions_ = std::make_unique<Obstructions>(zone_, lights_);
   std::vector<int> mirrors;
   for (std::size_t s = 0; s < zone_.surfaces.size(); ++s) {
     if (!zone_.surfaces[s].outside && mirror_[static_cast<std::size_t>(zone_.surfaces[s].finish)])
       mirrors.push_back(static_cast<int>(s));
   }
-  for (auto& emitter : make_emitters(zone_, lights_, mirrors, kImageDepth)) {
+  // As deep as the solution went: what it brought deeper is in the interpolated part.
+  std::vector<int> depth;
+  for (const auto& luminaire : database_.luminaires()) depth.push_back(luminaire.mirror_depth);
+  for (auto& emitter : make_emitters(zone_, lights_, mirrors, depth)) {
     if (mix[database_.luminaires()[emitter.original].source] > 0.0) emitters_.push_back(std::move(emitter));
   }
   for (const auto& luminaire : database_.luminaires())
     factor_.push_back(mix[luminaire.source] * luminaire.factor);
+  PairOptions options;
+  options.shadow_lines = std::max(4, kShadowLines / n_samples_);
   for (const auto& emitter : emitters_)
-    integrators_.emplace_back(zone_, obstructions_->caster(), emitter, 0.0,
-                              std::max(4, kShadowRays / n_samples_), integrators_.size());
+    integrators_.emplace_back(zone_, obstructions_->caster(), obstructions_->shadows(), emitter, options);
 }
 
 // An opening shows the luminance that its intensity gives in that direction.
@@ -126,31 +120,27 @@ void Shader::add_direct(std::size_t surface, const Vec2& local, std::uint64_t ch
   const auto finish = static_cast<std::size_t>(zone_.surfaces[surface].finish);
   Frame frame = polygon.frame();
   frame.origin = frame.to_world(local);
-  const Receiver receiver{&frame, nullptr, true, static_cast<int>(surface), chance, nullptr};
-  const Part point = whole_pair(Vec2(0.0), Vec2(0.0));
+  const Receiver receiver = point_receiver(frame, static_cast<int>(surface), chance);
   const int n_paths = std::max(1, kHighlightPaths / n_samples_);
   for (std::size_t e = 0; e < emitters_.size(); ++e) {
     const auto& emitter = emitters_[e];
+    if (emitter.beam.misses({&frame.origin, 1}, obstructions_->caster().tolerance_m())) continue;
     const double factor = factor_[emitter.original];
     const std::size_t first = channels_.first_of(database_.luminaires()[emitter.original].source);
     Light tint(channels_.n_bands(), factor);
-    if (!emitter.mirrors.empty()) {
-      const auto cosines = mirror_cosines(zone_, emitter, frame.origin, emitter.luminaire.at);
-      for (std::size_t m = 0; m < cosines.size(); ++m) {
-        const auto mirror = static_cast<std::size_t>(emitter.mirrors[cosines.size() - 1 - m]);
-        const auto& bands = reflection_[static_cast<std::size_t>(zone_.surfaces[mirror].finish)];
-        for (std::size_t b = 0; b < tint.size(); ++b) tint[b] *= bands[b].fresnel(cosines[m]);
-      }
-    }
+    tint_by_mirrors(zone_, emitter, glm::normalize(emitter.luminaire.at - frame.origin), tint,
+                    [&](std::size_t b, int of) -> const BandReflection& {
+                      return reflection_[static_cast<std::size_t>(of)][b];
+                    });
     if (shading_ == Shading::gather) {
-      const double lx = integrators_[e].mean(receiver, point);
+      const double lx = integrators_[e].mean(receiver).lx;
       for (std::size_t b = 0; b < tint.size() && lx > 0.0; ++b)
         irradiance[first + b] += lx * tint[b] * channels_.watts_per_lumen(first + b);
     }
     if (!towards) continue;
     const LowDiscrepancy4 points(chance ^ mix(e));
     for (int i = 0; i < n_paths; ++i) {
-      const auto path = integrators_[e].path(receiver, point, points(static_cast<std::uint64_t>(i)));
+      const auto path = integrators_[e].path(receiver, points(static_cast<std::uint64_t>(i)));
       if (!(path.lx > 0.0)) continue;
       const Vec3 in = frame.direction_to_local(path.towards);
       const LobeValue seen = lobe_value(*facets_[finish], in, *towards);
@@ -194,7 +184,9 @@ Shader::Seen Shader::seen(const Vec3& eye, const Vec3& direction, std::uint64_t 
     const auto plate = static_cast<std::size_t>(hit.plate);
     seen.anything = true;
     if (plate >= zone_.surfaces.size()) {
-      add_opening(plate - zone_.surfaces.size(), along, tint, light);
+      // A body's light is not stored: it is shown black.
+      const std::size_t opening = plate - zone_.surfaces.size();
+      if (opening < openings_.size()) add_opening(opening, along, tint, light);
       return seen;
     }
     const Surface& surface = zone_.surfaces[plate];
@@ -208,12 +200,11 @@ Shader::Seen Shader::seen(const Vec3& eye, const Vec3& direction, std::uint64_t 
     }
     const auto finish = static_cast<std::size_t>(surface.finish);
     if (!mirror_[finish]) return seen;
-    const Vec3& n = surface.polygon.frame().n;
-    const double cosine = std::clamp(-glm::dot(along, n), 0.0, 1.0);
-    for (std::size_t c = 0; c < tint.size(); ++c)
-      tint[c] *= reflection_[finish][channels_.band(c)].fresnel(cosine);
     from += hit.t * along;
-    along = glm::normalize(along + 2.0 * cosine * n);
+    const double left = meet_mirror(
+        surface.polygon.frame().n, along, tint,
+        [&](std::size_t c) -> const BandReflection& { return reflection_[finish][channels_.band(c)]; });
+    if (left < kUnseen) return seen;
     skip = hit.plate;
   }
   return seen;

@@ -9,6 +9,18 @@
 namespace dim {
 namespace {
 
+Vec3 centre(const Zone& zone, const Cells& cells, std::size_t cell) {
+  return zone.surfaces[cells.surface_of(cell)].polygon.frame().to_world(cells[cell].centroid);
+}
+
+// Patch of cell i's hemisphere that cell j's middle is back-projected to.
+std::size_t patch_towards(const Zone& zone, const Cells& cells, const PatchGrid& patches, std::size_t i,
+                          std::size_t j) {
+  const Frame& frame = zone.surfaces[cells.surface_of(i)].polygon.frame();
+  return patches.patch_of(
+      frame.direction_to_local(glm::normalize(centre(zone, cells, j) - centre(zone, cells, i))));
+}
+
 struct Members {
   std::vector<std::pair<std::uint32_t, double>> links;  // cell, weight
 };
@@ -18,8 +30,7 @@ class FamilyFinder {
   FamilyFinder(const Zone& zone, const Cells& cells, const Network& network)
       : zone_(zone), cells_(cells), network_(network), caster_(plates_of(zone), zone.diameter_m) {
     centre_.reserve(cells.size());
-    for (std::size_t i = 0; i < cells.size(); ++i)
-      centre_.push_back(polygon(i).frame().to_world(cells[i].centroid));
+    for (std::size_t i = 0; i < cells.size(); ++i) centre_.push_back(centre(zone, cells, i));
   }
 
   Members of(std::size_t i) const {
@@ -29,7 +40,7 @@ class FamilyFinder {
     std::vector<std::pair<std::size_t, std::uint32_t>> joined;  // patch, cell
     for (std::size_t j = 0; j < cells_.size(); ++j) {
       if (hit[j] || !faces(i, j) || caster_.blocked(centre_[i], centre_[j], surface(i))) continue;
-      const std::size_t patch = patch_towards(i, j);
+      const std::size_t patch = patch_towards(zone_, cells_, network_.patches, i, j);
       if (network_.sinks.at(i, patch) < cells_.size())
         joined.emplace_back(patch, static_cast<std::uint32_t>(j));
     }
@@ -45,12 +56,6 @@ class FamilyFinder {
     const Vec3 path = centre_[j] - centre_[i];
     return glm::dot(path, polygon(i).normal()) > caster_.tolerance_m() &&
            glm::dot(path, polygon(j).normal()) < -caster_.tolerance_m();
-  }
-
-  std::size_t patch_towards(std::size_t i, std::size_t j) const {
-    const Vec3 d = glm::normalize(centre_[j] - centre_[i]);
-    const Frame& frame = polygon(i).frame();
-    return network_.patches.patch_of({glm::dot(d, frame.u), glm::dot(d, frame.v), glm::dot(d, frame.n)});
   }
 
   Members shares(std::size_t i, const std::vector<std::pair<std::size_t, std::uint32_t>>& joined) const {
@@ -99,6 +104,20 @@ ExtraLinks find_families(const Zone& zone, const Cells& cells, const Network& ne
     extra.first.push_back(extra.cell.size());
   }
   return extra;
+}
+
+std::vector<FamilyLink> family_links(const Zone& zone, const Cells& cells, const Network& network,
+                                     std::size_t row) {
+  std::vector<FamilyLink> links;
+  if (!network.has_family()) return links;
+  const auto& extra = network.extra;
+  for (auto e = extra.first[row]; e < extra.first[row + 1]; ++e) {
+    // Every patch's links begin with what is taken back from its sink; the cells that join it follow.
+    const std::size_t member = extra.weight[e] < 0.0 ? extra.cell[e + 1] : extra.cell[e];
+    links.push_back({static_cast<std::uint32_t>(patch_towards(zone, cells, network.patches, row, member)),
+                     extra.cell[e], extra.weight[e]});
+  }
+  return links;
 }
 
 }  // namespace dim

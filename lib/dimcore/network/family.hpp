@@ -13,4 +13,13 @@ namespace dim {
 /// square of the number of cells.
 ExtraLinks find_families(const Zone& zone, const Cells& cells, const Network& network, const Job& job);
 
+/// The extra links of a row in their order, with the patches that they belong to: for light by direction.
+struct FamilyLink {
+  std::uint32_t patch;
+  std::uint32_t cell;
+  double weight;  ///< share of the hemisphere; negative: taken back from the patch's sink
+};
+std::vector<FamilyLink> family_links(const Zone& zone, const Cells& cells, const Network& network,
+                                     std::size_t row);
+
 }  // namespace dim

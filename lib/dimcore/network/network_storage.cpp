@@ -123,6 +123,18 @@ void store_cells(Hdf5Writer& file, const Zone& zone, const Cells& cells) {
                "index into /zone/surfaces");
   file.dataset("/cells/area", std::span<const double>(area), {n}, "m2");
   file.dataset("/cells/centroid", std::span<const double>(centroid), {n, 3}, "m", "in the zone file's axes");
+  std::vector<std::uint64_t> first_corner{0};
+  std::vector<double> corner;
+  Ring2 outline;
+  for (std::size_t i = 0; i < n; ++i) {
+    cells.outline(i, outline);
+    for (const auto& p : outline) corner.insert(corner.end(), {p.x, p.y});
+    first_corner.push_back(corner.size() / 2);
+  }
+  file.dataset("/cells/first_corner", std::span<const std::uint64_t>(first_corner), {n + 1}, "1",
+               "corners of cell i are first_i to first_i+1");
+  file.dataset("/cells/corner", std::span<const double>(corner), {corner.size() / 2, 2}, "m",
+               "in the surface's frame, counter-clockwise");
 }
 
 Cells load_cells(const Hdf5Reader& file, const Zone& zone, const std::string& path, const Job& job) {
@@ -181,7 +193,9 @@ FileSchema cells_schema() {
   FileSchema cells;
   cells.datasets = {{"/cells/surface", "uint32", "cells", "1", Allowed::index, "surfaces"},
                     {"/cells/area", "float64", "cells", "m2", Allowed::positive},
-                    {"/cells/centroid", "float64", "cells, 3", "m", Allowed::finite}};
+                    {"/cells/centroid", "float64", "cells, 3", "m", Allowed::finite},
+                    {"/cells/first_corner", "uint64", "cells+1"},
+                    {"/cells/corner", "float64", "cell_corners, 2", "m", Allowed::finite}};
   return cells;
 }
 

@@ -20,7 +20,7 @@ struct RaysFile {
 FileSchema cells_schema();
 const FileSchema& rays_schema();
 
-/// Puts the cells' surfaces, areas and centroids into a file under `/cells`.
+/// Puts the cells' surfaces, areas, centroids and outlines into a file under `/cells`.
 void store_cells(Hdf5Writer& file, const Zone& zone, const Cells& cells);
 
 /// The cells of a file's zone, made anew.

@@ -37,11 +37,11 @@ std::size_t source_of(const Solution& solution, const std::string& luminaire) {
   throw InternalError("luminaire '" + luminaire + "' belongs to no source");
 }
 
-ShownLuminaire shown(const Luminaire& luminaire, std::size_t source) {
+ShownLuminaire shown(const Luminaire& luminaire, std::size_t source, int mirror_depth) {
   return {luminaire.name, source,           luminaire.at,
           luminaire.c0,   luminaire.c90,    luminaire.aim,
           luminaire.opening, static_cast<std::size_t>(luminaire.fitting), luminaire.factor,
-          luminaire.body};
+          luminaire.body, mirror_depth};
 }
 
 }  // namespace
@@ -63,14 +63,13 @@ ResultContent content_of(const Zone& zone, const Cells& cells, const Lights& lig
   content.classes = solution.classes;
   content.sources = solution.sources;
   content.spectra.assign(solution.sources.size(), {SpectralCurve(1.0), true});
-  for (const auto& luminaire : lights.luminaires) {
+  for (std::size_t l = 0; l < lights.luminaires.size(); ++l) {
+    const auto& luminaire = lights.luminaires[l];
     const auto& fitting = lights.fittings[static_cast<std::size_t>(luminaire.fitting)];
     const std::size_t source = source_of(solution, luminaire.name);
     auto& spectrum = content.spectra[source];
     spectrum = {fitting.spectrum, spectrum.known && fitting.has_spectrum};
-    content.luminaires.push_back(shown(luminaire, source));
-    const std::size_t l = content.luminaires.size() - 1;
-    if (l < solution.mirror_depth.size()) content.luminaires.back().mirror_depth = solution.mirror_depth[l];
+    content.luminaires.push_back(shown(luminaire, source, l < solution.mirror_depth.size() ? solution.mirror_depth[l] : 0));
   }
   for (const auto& fitting : lights.fittings) {
     content.photometry.push_back({fitting.name, fitting.intensity.flux_lm(), fitting.watts,

@@ -15,7 +15,8 @@ std::vector<double> illuminance_lx(const LuminanceDatabase& database, const Mix&
     const auto transfer = database.transfer(part, s);
     const auto xyz = database.sources()[s].xyz_by_class(database.classes());
     for (std::size_t q = 0; q < xyz.size(); ++q) {
-      for (std::size_t i = 0; i < n; ++i) lx[i] += mix[s] * xyz[q].y * static_cast<double>(transfer[q * n + i]);
+      for (std::size_t i = 0; i < n; ++i)
+        lx[i] += mix[s] * xyz[q].y * static_cast<double>(transfer[q * n + i]);
     }
   }
   return lx;
@@ -140,15 +141,24 @@ std::vector<SurfaceFigures> surface_figures(const Cells& cells, const CellAppear
   return figures;
 }
 
-GridStatistics grid_statistics(const std::vector<double>& illuminance_lx, const PointSet& set) {
+GridStatistics grid_statistics(const std::vector<double>& illuminance_lx,
+                               const std::vector<MeasuringPoint>& points, const PointSet& set) {
+  std::vector<double> lx;
+  for (std::size_t p = set.first; p < set.first + set.count; ++p) {
+    if (points[p].valid) lx.push_back(illuminance_lx[p]);
+  }
   GridStatistics statistics;
   statistics.n_points = set.count;
-  if (set.count == 0) return statistics;
-  const auto first = illuminance_lx.begin() + static_cast<std::ptrdiff_t>(set.first);
-  const auto last = first + static_cast<std::ptrdiff_t>(set.count);
-  statistics.min_lx = *std::min_element(first, last);
-  statistics.max_lx = *std::max_element(first, last);
-  for (auto lx = first; lx != last; ++lx) statistics.mean_lx += *lx / static_cast<double>(set.count);
+  statistics.n_left_out = set.count - lx.size();
+  if (lx.empty()) {
+    for (double GridStatistics::*figure : {&GridStatistics::min_lx, &GridStatistics::mean_lx,
+                                           &GridStatistics::max_lx, &GridStatistics::u0, &GridStatistics::ud})
+      statistics.*figure = std::numeric_limits<double>::quiet_NaN();
+    return statistics;
+  }
+  statistics.min_lx = *std::min_element(lx.begin(), lx.end());
+  statistics.max_lx = *std::max_element(lx.begin(), lx.end());
+  for (const double x : lx) statistics.mean_lx += x / static_cast<double>(lx.size());
   if (statistics.mean_lx > 0.0) statistics.u0 = statistics.min_lx / statistics.mean_lx;
   if (statistics.max_lx > 0.0) statistics.ud = statistics.min_lx / statistics.max_lx;
   return statistics;

@@ -222,7 +222,7 @@ void read_description(const JsonEntry& json, Zone& zone, const std::vector<Polyg
   for (std::size_t i = 0; i < sets.size(); ++i) {
     const std::size_t first = sets.at(i)["first"].index(zone.points.size() + 1);
     zone.point_sets.push_back(
-        {sets.at(i)["name"].text(), first, sets.at(i)["count"].index(zone.points.size() - first + 1)});
+        {sets.at(i)["name"].text(), first, sets.at(i)["count"].index(zone.points.size() - first + 1), {}});
   }
   if (!json.has("site")) return;
   const JsonEntry site = json["site"];
@@ -303,12 +303,13 @@ void load_surfaces(const Hdf5Reader& file, Zone& zone, const std::string& path) 
 void load_points(const Hdf5Reader& file, Zone& zone, const std::string& path) {
   constexpr double kRounding = 1e-6;
   const auto points = file.dataset<double>("/zone/points", {kAnySize, 6});
+  const auto valid = file.dataset<std::uint8_t>("/zone/point_valid", {points.size() / 6});
   for (std::size_t i = 0; i < points.size(); i += 6) {
     const Vec3 at(points[i], points[i + 1], points[i + 2]),
         normal(points[i + 3], points[i + 4], points[i + 5]);
     if (!is_finite(at) || !(std::abs(glm::dot(normal, normal) - 1.0) <= kRounding))
       throw IoError(path, fmt::format("dataset '/zone/points': point {} has no finite place and unit normal", i / 6));
-    zone.points.push_back({at, normal});
+    zone.points.push_back({at, normal, valid[i / 6] != 0});
   }
 }
 
@@ -333,6 +334,10 @@ void store_zone(Hdf5Writer& file, const Zone& zone) {
                                  point.normal.y, point.normal.z});
   file.dataset("/zone/points", std::span<const double>(points), {zone.points.size(), 6}, "m, 1",
                "zone-centred position and normal of the measuring points");
+  std::vector<std::uint8_t> valid;
+  for (const auto& point : zone.points) valid.push_back(point.valid);
+  file.dataset("/zone/point_valid", std::span<const std::uint8_t>(valid), {valid.size()}, "1",
+               "0: outside the zone or inside something, left out of statistics");
 }
 
 const FileSchema& zone_schema() {
@@ -345,6 +350,7 @@ const FileSchema& zone_schema() {
                        {"/zone", "closed", AttributeType::integer, 0, 1}};
     zone.datasets = {{"/zone/origin", "float64", "3", "m", Allowed::finite},
                      {"/zone/points", "float64", "points, 6", "m, 1", Allowed::finite},
+                     {"/zone/point_valid", "uint8", "points", "1", Allowed::flag},
                      {"/zone/description", "text", ""},
                      {"/zone/surfaces/name", "strings", "surfaces"},
                      {"/zone/surfaces/table", "int32", "surfaces, 8"},

@@ -31,11 +31,10 @@ std::vector<float> transposed(std::size_t n, std::size_t n_sources, std::size_t 
 
 }  // namespace
 
-std::vector<float> rows_of_columns(const std::vector<double>& columns, std::size_t n_sources,
-                                   std::size_t n_columns) {
-  const std::size_t n = n_columns ? columns.size() / n_columns : 0;
-  return transposed(n, n_sources, n_columns,
-                    [&](std::size_t i, std::size_t column) { return columns[i * n_columns + column]; });
+std::vector<float> rows_of_columns(const Columns<float>& columns, std::size_t n_rows, std::size_t n_sources) {
+  return transposed(n_rows, n_sources, columns.n_columns(), [&](std::size_t i, std::size_t column) {
+    return static_cast<double>(columns.value(i, column));
+  });
 }
 
 std::vector<float> rows_of_states(const std::vector<float>& columns, const PatchGrid& grid,

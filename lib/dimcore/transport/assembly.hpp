@@ -2,17 +2,16 @@
 
 #include <vector>
 
+#include "transport/columns.hpp"
 #include "transport/direct.hpp"
 #include "transport/gather.hpp"
 #include "transport/solution.hpp"
 
 namespace dim {
 
-/// Rows [source, class, i] in the precision stored from a solver's columns [i, class * n_sources + source].
-/// What ended below zero by rounding is zero.
-/// @param n_columns  n_sources times the number of classes that the columns have
-std::vector<float> rows_of_columns(const std::vector<double>& columns, std::size_t n_sources,
-                                   std::size_t n_columns);
+/// Rows [source, class, i] as they are stored, of the first `n_rows` of a solver's columns
+/// class * n_sources + source. What ended below zero by rounding is zero.
+std::vector<float> rows_of_columns(const Columns<float>& columns, std::size_t n_rows, std::size_t n_sources);
 
 /// The same of light by direction, from flux per area into each patch to its mean per solid angle.
 std::vector<float> rows_of_states(const std::vector<float>& columns, const PatchGrid& grid,

@@ -4,265 +4,253 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <span>
+
+#include "transport/cell_light.hpp"
+#include "transport/direct_lobes.hpp"
+#include "transport/mirrored_light.hpp"
+#include "transport/point_images.hpp"
 
 namespace dim {
 namespace {
 
-// Paths between a cell and an opening along which light meets an off-specular cell, and facets it meets on
-// each.
-constexpr int kPaths = 16;
-constexpr int kFacets = 32;
+// Images that cells have of one luminaire: beyond the first order they end where another order would bring
+// them above the former, which is where rays become the cheaper way; never above the latter, of all together.
+constexpr std::size_t kManyImages = 100;
+constexpr std::size_t kMostImages = 100'000;
+// Rays that a luminaire's whole light would be followed by, for each cell; and at most, of all together.
+constexpr double kRaysPerCell = 4000.0;
+constexpr double kMostRays = 1e7;
+
+// The images of one order, of all luminaires. Integrators point at emitters: it stays where it is.
+struct Order {
+  std::vector<Emitter> emitters;
+  std::vector<PairIntegrator> integrators;
+};
 
 class Builder {
  public:
   Builder(const Zone& zone, const Cells& cells, const Network& network, const Lights& lights,
-          const ReflectanceClasses& classes, const Shine& shine, const RayCaster& caster,
-          const std::vector<std::size_t>& source_of, std::size_t n_sources, int mirror_depth, bool in_the_way)
+          const ReflectanceClasses& classes, const Shine& shine, const Obstructions& obstructions,
+          const std::vector<std::size_t>& source_of, std::size_t n_sources, const MirrorOptions& options,
+          bool in_the_way)
       : zone_(zone),
         cells_(cells),
         network_(network),
         lights_(lights),
         classes_(classes),
         shine_(shine),
-        caster_(caster),
+        obstructions_(obstructions),
         source_of_(source_of),
         n_sources_(n_sources),
-        mirror_depth_(shine.has_mirrors() ? mirror_depth : 0),
+        options_(options),
         in_the_way_(in_the_way),
-        emitters_(make_emitters(zone, lights, shine.mirrors(), mirror_depth_)),
-        integrators_(make_integrators(zone, lights, emitters_, caster, in_the_way)) {
-    result_.n_columns = shine.has_mirrors() ? n_sources * classes.size() : n_sources;
+        mirrored_(zone, cells, classes, shine, obstructions.caster(), source_of, n_sources, in_the_way),
+        on_lobes_(shine.n_off_specular()),
+        on_mirrors_(shine.has_mirrors() ? cells.size() : 0) {
+    result_.n_columns = shine.has_mirrors() ? n_all() : n_sources;
     result_.cell.assign(cells.size() * result_.n_columns, 0.0);
     result_.point.assign(zone.points.size() * result_.n_columns, 0.0);
-    lobe_lx_.assign(shine.n_off_specular() * emitters_.size(), 0.0);
-    mirrored_.assign(shine.has_mirrors() ? cells.size() * n_all() : 0, 0.0);
-    not_followed_.assign(mirrored_.size(), 0.0);
-    escaped_.assign(mirrored_.size(), 0.0);
+    result_.mirror_depth.assign(lights.luminaires.size(), 0);
+    result_.uncertain.assign(n_all(), 0.0);
   }
 
   DirectColumns build(const Job& job) {
-    direct_light(
-        zone_, cells_, lights_, emitters_, caster_,
-        [&](std::size_t i, std::size_t e, double lx) { on_cell(i, e, lx); },
-        [&](std::size_t p, std::size_t e, double lx) {
-          if (lx > 0.0) add(&result_.point[p * result_.n_columns], zone_.points[p].position, e, lx);
-        },
-        job, in_the_way_);
+    add_luminaires(job);
+    if (shine_.has_mirrors()) add_images(job);
     auto& shine = result_.shine;
-    shine.mirrored.assign(n_all(), 0.0);
-    shine.not_followed.assign(n_all(), 0.0);
-    shine.escaped.assign(n_all(), 0.0);
-    shine.point_lobe.assign(zone_.points.size() * n_all(), 0.0);
-    for (std::size_t at = 0; at < mirrored_.size(); ++at) {
-      shine.mirrored[at % n_all()] += mirrored_[at];
-      shine.not_followed[at % n_all()] += not_followed_[at];
-      shine.escaped[at % n_all()] += escaped_[at];
-    }
-    result_.n_images = emitters_.size() - lights_.luminaires.size();
-    shine.psi.assign(shine_.n_states() * n_all(), 0.0F);
-    if (shine_.n_off_specular() > 0) {
-      fill_lobes(job);
-      fill_points(job);
-    }
+    shine.mirrored = mirrored_.reflected();
+    shine.escaped = mirrored_.escaped();
+    shine.not_followed = mirrored_.not_followed();
+    result_.followed = std::move(mirrored_.brought());
+    result_.n_rays = mirrored_.n_rays();
+    add_lobes(job);
+    if (shine_.has_mirrors()) add_point_images(job);
     return std::move(result_);
   }
 
  private:
   std::size_t n_all() const { return n_sources_ * classes_.size(); }
-
-  Vec3 middle(std::size_t cell) const {
-    return zone_.surfaces[cells_.surface_of(cell)].polygon.frame().to_world(cells_[cell].centroid);
+  std::size_t n_luminaires() const { return lights_.luminaires.size(); }
+  double flux_lm(std::size_t luminaire) const {
+    const auto& l = lights_.luminaires[luminaire];
+    return l.factor * lights_.fittings[static_cast<std::size_t>(l.fitting)].intensity.flux_lm();
   }
 
-  // What an emitter's mirrors leave of its light, by class.
-  std::vector<double> tint(const Vec3& receiver, std::size_t e) const {
-    const Emitter& emitter = emitters_[e];
-    std::vector<double> tint(classes_.size(), 1.0);
-    if (emitter.mirrors.empty()) return tint;
-    const auto cosines = mirror_cosines(zone_, emitter, receiver, emitter.luminaire.at);
-    for (std::size_t m = 0; m < cosines.size(); ++m) {
-      const auto mirror = static_cast<std::size_t>(emitter.mirrors[cosines.size() - 1 - m]);
-      for (std::size_t q = 0; q < tint.size(); ++q)
-        tint[q] *= classes_.at(q, zone_.surfaces[mirror].finish).fresnel(cosines[m]);
-    }
-    return tint;
-  }
-
-  void add(double* columns, const Vec3& receiver, std::size_t e, double lx) const {
-    const std::size_t s = source_of_[emitters_[e].original];
+  void add(double* columns, const Emitter& emitter, const Vec3& receiver, double lx) const {
+    const std::size_t s = source_of_[emitter.original];
     if (!shine_.has_mirrors()) {
       columns[s] += lx;
       return;
     }
-    const auto tints = tint(receiver, e);
+    const auto tints = tints_of(zone_, classes_, emitter, receiver);
     for (std::size_t q = 0; q < tints.size(); ++q) columns[q * n_sources_ + s] += tints[q] * lx;
   }
 
-  void on_cell(std::size_t i, std::size_t e, double lx) {
-    if (!(lx > 0.0)) return;
-    add(&result_.cell[i * result_.n_columns], middle(i), e, lx);
-    const Shininess kind = shine_.of_cell(i);
+  Order& new_order(std::vector<Emitter> emitters) {
+    orders_.push_back(std::make_unique<Order>());
+    Order& order = *orders_.back();
+    order.emitters = std::move(emitters);
+    order.integrators = make_integrators(zone_, order.emitters, obstructions_, in_the_way_);
+    return order;
+  }
+
+  void on_cell(const CellLight& light) {
+    if (!(light.lx > 0.0)) return;
+    add(&result_.cell[light.cell * result_.n_columns], *light.emitter, middle_of(zone_, cells_, light.cell),
+        light.lx);
+    const Shininess kind = shine_.of_cell(light.cell);
     if (kind == Shininess::off_specular)
-      lobe_lx_[static_cast<std::size_t>(shine_.index_of(i)) * emitters_.size() + e] = lx;
-    if (kind == Shininess::mirror) reflect_whole(i, e, lx);
+      on_lobes_[static_cast<std::size_t>(shine_.index_of(light.cell))].push_back(light);
+    if (kind == Shininess::mirror) on_mirrors_[light.cell].push_back(light);
   }
 
-  // Paths along which an emitter's light meets a cell; one to its middle where none was found.
-  std::vector<PairIntegrator::Path> paths_to(std::size_t cell, std::size_t e,
-                                             const PairIntegrator& integrator, double& total) const {
-    const Receiver receiver = cell_receiver(zone_, cells_, cell);
-    const Part pair = whole_pair(cells_[cell].low, cells_[cell].high);
-    const LowDiscrepancy4 chance(mix(cell) ^ mix(e));
-    std::vector<PairIntegrator::Path> paths;
-    total = 0.0;
-    for (std::uint64_t i = 0; i < kPaths; ++i) {
-      paths.push_back(integrator.path(receiver, pair, chance(i)));
-      total += paths.back().lx;
-    }
-    if (total > 0.0) return paths;
-    const Vec3 at = middle(cell);
-    total = 1.0;
-    return {{at, glm::normalize(emitters_[e].luminaire.at - at), 1.0}};
+  void add_luminaires(const Job& job) {
+    const Order& own = new_order(own_emitters(lights_, in_the_way_));
+    own_point_lx_.assign(zone_.points.size() * n_luminaires(), 0.0);
+    direct_light(
+        zone_, cells_, own.emitters, own.integrators,
+        [&](std::size_t i, std::size_t e, const DirectEstimate& direct) {
+          on_cell({i, &own.emitters[e], &own.integrators[e], direct.lx});
+        },
+        [&](std::size_t p, std::size_t e, const DirectEstimate& direct) {
+          own_point_lx_[p * n_luminaires() + e] = direct.lx;
+          add(&result_.point[p * result_.n_columns], own.emitters[e], zone_.points[p].position, direct.lx);
+        },
+        job);
   }
 
-  void reflect_whole(std::size_t i, std::size_t e, double lx) {
-    const auto& surface = zone_.surfaces[cells_.surface_of(i)];
-    double total = 0.0;
-    const auto paths = paths_to(i, e, integrators_[e], total);
-    const auto tints = tint(middle(i), e);
-    const bool last = static_cast<int>(emitters_[e].mirrors.size()) == mirror_depth_;
-    const auto leaves = leaving(paths, surface.polygon.frame(), static_cast<int>(cells_.surface_of(i)));
-    for (std::size_t q = 0; q < tints.size(); ++q) {
-      double share = 0.0, gone = 0.0;
-      for (std::size_t p = 0; p < paths.size(); ++p) {
-        const double cosine = std::clamp(glm::dot(paths[p].towards, surface.polygon.frame().n), 0.0, 1.0);
-        const double reflected = paths[p].lx / total * classes_.at(q, surface.finish).fresnel(cosine);
-        share += reflected;
-        if (leaves[p]) gone += reflected;
+  void add_images(const Job& job) {
+    const MirrorImages images(zone_, shine_.mirrors());
+    std::vector<std::size_t> n_images(n_luminaires(), 0);
+    for (int depth = 0; !orders_.back()->emitters.empty(); ++depth) {
+      const auto lights = take_mirror_lights();
+      std::vector<double> reflected_lm(n_luminaires(), 0.0);
+      for (const auto& light : lights) reflected_lm[light.emitter->original] += mirrored_.reflected_lm(light);
+      std::vector<bool> goes_on(n_luminaires(), false);
+      std::vector<Emitter> next;
+      for (std::size_t l = 0; l < n_luminaires(); ++l) {
+        auto some = next_images(images, l, depth, n_images[l], reflected_lm[l]);
+        if (!some) continue;
+        goes_on[l] = true;
+        result_.mirror_depth[l] += !some->empty();
+        n_images[l] += some->size();
+        std::move(some->begin(), some->end(), std::back_inserter(next));
       }
-      const std::size_t column = i * n_all() + q * n_sources_ + source_of_[emitters_[e].original];
-      const double flux = cells_.area_m2(i) * lx * tints[q];
-      (last ? not_followed_ : mirrored_)[column] += flux * share;
-      if (!last) escaped_[column] += flux * gone;
+      std::vector<CellLight> passed_on, followed;
+      for (const auto& light : lights)
+        (goes_on[light.emitter->original] ? passed_on : followed).push_back(light);
+      mirrored_.pass_on(passed_on, job);
+      mirrored_.follow(followed, ray_lm(reflected_lm), job);
+      add_order(new_order(std::move(next)), job);
     }
+    result_.n_images = std::accumulate(n_images.begin(), n_images.end(), std::size_t{0});
   }
 
-  // Which of the paths a mirror sends out of the zone, or onto backs.
-  std::vector<bool> leaving(const std::vector<PairIntegrator::Path>& paths, const Frame& frame,
-                            int mirror) const {
-    std::vector<bool> leaves;
-    for (const auto& path : paths) {
-      const Vec3 out = 2.0 * glm::dot(path.towards, frame.n) * frame.n - path.towards;
-      const Hit hit = path.lx > 0.0 ? caster_.nearest(path.at, out, mirror) : Hit{};
-      const auto plate = static_cast<std::size_t>(hit.plate);
-      leaves.push_back(hit.plate < 0 || hit.back || plate >= zone_.surfaces.size() ||
-                       zone_.surfaces[plate].outside);
+  // Images of a luminaire's latest ones; nothing where rays are to go on.
+  std::optional<std::vector<Emitter>> next_images(const MirrorImages& images, std::size_t luminaire,
+                                                  int depth, std::size_t n_before,
+                                                  double reflected_lm) const {
+    std::size_t most = kMostImages / n_luminaires();
+    if (options_.depth) {
+      if (depth >= *options_.depth) return std::nullopt;
+    } else {
+      if (reflected_lm <= options_.tolerance * flux_lm(luminaire)) return std::nullopt;
+      if (depth > 0) most = std::min(most, kManyImages);
     }
-    return leaves;
+    std::vector<Emitter> latest;
+    for (const auto& emitter : orders_.back()->emitters) {
+      if (emitter.original == luminaire) latest.push_back(emitter);
+    }
+    return images.of(latest, most - std::min(most, n_before));
   }
 
-  void fill_lobes(const Job& job) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, shine_.n_off_specular(), 4), [&](const auto& range) {
-      if (job.stopped()) return;
-      std::vector<double> psi;
-      for (std::size_t g = range.begin(); g != range.end(); ++g) {
-        psi.assign(shine_.grid().n_patches() * n_all(), 0.0);
-        for (std::size_t e = 0; e < emitters_.size(); ++e) {
-          const double lx = lobe_lx_[g * emitters_.size() + e];
-          if (lx > 0.0) reflect_by_lobe(g, e, lx, integrators_[e], psi);
+  // Direct light of the latest order on mirror cells, cell by cell.
+  std::vector<CellLight> take_mirror_lights() {
+    std::vector<CellLight> lights;
+    for (auto& on_cell : on_mirrors_) {
+      lights.insert(lights.end(), on_cell.begin(), on_cell.end());
+      on_cell.clear();
+    }
+    return lights;
+  }
+
+  std::vector<double> ray_lm(const std::vector<double>& reflected_lm) const {
+    std::vector<double> lm;
+    for (std::size_t l = 0; l < n_luminaires(); ++l)
+      lm.push_back(std::max({flux_lm(l) / (kRaysPerCell * static_cast<double>(cells_.size())),
+                             reflected_lm[l] * static_cast<double>(n_luminaires()) / kMostRays,
+                             std::numeric_limits<double>::min()}));
+    return lm;
+  }
+
+  void add_order(const Order& order, const Job& job) {
+    const double tolerance_m = 1e-9 * zone_.diameter_m;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells_.size(), 8), [&](const auto& range) {
+      for (std::size_t i = range.begin(); i != range.end() && !job.stopped(); ++i) {
+        const Receiver receiver = cell_receiver(zone_, cells_, i);
+        const std::span corners(receiver.ring.begin(), receiver.ring.end());
+        for (std::size_t e = 0; e < order.emitters.size(); ++e) {
+          const auto& emitter = order.emitters[e];
+          if (emitter.beam.misses(corners, tolerance_m)) continue;
+          on_cell({i, &emitter, &order.integrators[e],
+                   emitter.luminaire.factor * order.integrators[e].mean(receiver).lx});
         }
-        std::transform(psi.begin(), psi.end(),
-                       result_.shine.psi.begin() + static_cast<std::ptrdiff_t>(g * psi.size()),
-                       [](double x) { return static_cast<float>(x); });
       }
     });
     job.check();
   }
 
-  // What measuring points see of direct light in lobes: along each of their rays at the exact angles, which
-  // patches would smear.
-  void fill_points(const Job& job) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, zone_.points.size(), 1), [&](const auto& range) {
-      for (std::size_t p = range.begin(); p != range.end() && !job.stopped(); ++p) see_lobes(p);
-    });
-    job.check();
+  void add_lobes(const Job& job) {
+    const DirectLobes lobes(zone_, cells_, network_, classes_, shine_, source_of_, n_sources_, on_lobes_,
+                            mirrored_.rays());
+    result_.shine.psi = lobes.psi_of_emitters(job);
+    const bool any_rays = std::any_of(mirrored_.rays().begin(), mirrored_.rays().end(),
+                                      [](const auto& rays) { return !rays.empty(); });
+    if (any_rays) result_.followed_psi = lobes.psi_of_rays(job);
+    result_.shine.point_lobe = lobes.at_points(result_.followed_psi, job);
   }
 
-  void see_lobes(std::size_t point) {
-    const PatchGrid& patches = network_.point_patches;
-    const RowRays rays(zone_, point, network_.sampling, network_.seed);
-    double* columns = &result_.shine.point_lobe[point * n_all()];
-    for (std::size_t patch = 0; patch < patches.n_patches(); ++patch) {
-      const std::size_t sink = network_.point_sinks.at(point, patch);
-      if (sink >= cells_.size() || shine_.of_cell(sink) != Shininess::off_specular) continue;
-      const Ray ray = rays.ray(patches, patch);
-      const double w =
-          patches.weight_sr(static_cast<int>(patch / static_cast<std::size_t>(patches.n_sectors)));
-      for (std::size_t e = 0; e < emitters_.size(); ++e) see_lobe(ray, sink, e, mix(patch), w, columns);
+  void add_point_images(const Job& job) {
+    std::vector<double> source_lm(n_sources_, 0.0);
+    for (std::size_t l = 0; l < n_luminaires(); ++l) source_lm[source_of_[l]] += flux_lm(l);
+    for (std::size_t s = 0; s < n_sources_; ++s) {
+      if (source_lm[s] > 0.0)
+        result_.followed_share = std::max(result_.followed_share, mirrored_.sent_lm()[s] / source_lm[s]);
+    }
+    if (zone_.points.empty()) return;
+    const auto images =
+        point_images(zone_, lights_, classes_, shine_.mirrors(), obstructions_, source_of_, n_sources_,
+                     own_point_lx_, in_the_way_, {options_.tolerance, options_.depth}, job);
+    result_.n_images = std::max(result_.n_images, images.n);
+    const auto mean_lx = column_means();
+    for (std::size_t at = 0; at < images.lx.size(); ++at) {
+      const std::size_t c = at % n_all();
+      result_.point[at] += images.lx[at];
+      const double of_lx = std::max(result_.point[at], mean_lx[c]);
+      if (of_lx > 0.0) result_.uncertain[c] = std::max(result_.uncertain[c], images.uncertain_lx[at] / of_lx);
+    }
+    // Of a luminaire without any image nothing is known but what its light on mirrors is.
+    for (std::size_t l = 0; l < n_luminaires(); ++l) {
+      const std::size_t s = source_of_[l];
+      for (std::size_t q = 0; q < classes_.size() && images.depth[l] == 0 && source_lm[s] > 0.0; ++q)
+        result_.uncertain[q * n_sources_ + s] =
+            std::max(result_.uncertain[q * n_sources_ + s], mirrored_.sent_lm()[s] / source_lm[s]);
     }
   }
 
-  void see_lobe(const Ray& ray, std::size_t cell, std::size_t e, std::uint64_t stream, double w,
-                double* columns) const {
-    if (!(lobe_lx_[static_cast<std::size_t>(shine_.index_of(cell)) * emitters_.size() + e] > 0.0)) return;
-    const auto s = cells_.surface_of(cell);
-    Frame frame = zone_.surfaces[s].polygon.frame();
-    frame.origin = ray.from - frame.height(ray.from) / glm::dot(ray.direction, frame.n) * ray.direction;
-    Vec3 out = -frame.direction_to_local(ray.direction);
-    out.z = std::max(out.z, 1e-9);
-    const Receiver receiver{&frame, nullptr, true, static_cast<int>(s), 0, nullptr};
-    const auto path =
-        integrators_[e].path(receiver, whole_pair(Vec2(0.0), Vec2(0.0)), LowDiscrepancy4(mix(e))(stream));
-    if (!(path.lx > 0.0)) return;
-    const Vec3 in = frame.direction_to_local(path.towards);
-    const auto tints = tint(frame.origin, e);
-    const int finish = zone_.surfaces[s].finish;
-    const double lx = w * emitters_[e].luminaire.factor * path.lx;
-    for (std::size_t q = 0; q < tints.size(); ++q)
-      columns[q * n_sources_ + source_of_[emitters_[e].original]] +=
-          lx * tints[q] * specular_brdf(classes_.at(q, finish), shine_.facets(finish), in, out);
-  }
-
-  // From the exact directions of the light, facet by facet, into patches; scaled to the exact albedo.
-  void reflect_by_lobe(std::size_t g, std::size_t e, double lx, const PairIntegrator& integrator,
-                       std::vector<double>& psi) const {
-    const std::size_t cell = shine_.off_specular()[g];
-    double total = 0.0;
-    const auto paths = paths_to(cell, e, integrator, total);
-    const auto tints = tint(middle(cell), e);
-    for (std::size_t i = 0; i < paths.size(); ++i) {
-      if (paths[i].lx > 0.0)
-        reflect_path(paths[i], lx * paths[i].lx / total, cell, i, mix(g) ^ mix(~e), e, tints, psi);
+  std::vector<double> column_means() const {
+    std::vector<double> mean(n_all(), 0.0);
+    double area_m2 = 0.0;
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      area_m2 += cells_.area_m2(i);
+      for (std::size_t c = 0; c < n_all(); ++c) mean[c] += cells_.area_m2(i) * result_.cell[i * n_all() + c];
     }
-  }
-
-  void reflect_path(const PairIntegrator::Path& path, double lx, std::size_t cell, std::size_t index,
-                    std::uint64_t stream, std::size_t e, const std::vector<double>& tints,
-                    std::vector<double>& psi) const {
-    const Surface& surface = zone_.surfaces[cells_.surface_of(cell)];
-    Vec3 in = surface.polygon.frame().direction_to_local(path.towards);
-    in.z = std::max(in.z, 1e-9);
-    const LowDiscrepancy4 chance(stream);
-    std::array<FacetSample, kFacets> facets;
-    for (std::uint64_t f = 0; f < kFacets; ++f) {
-      const auto x = chance(index * kFacets + f);
-      facets[f] = sample_facet(shine_.facets(surface.finish), in, x[0], x[1]);
-    }
-    for (std::size_t q = 0; q < classes_.size(); ++q) {
-      const auto& reflection = classes_.at(q, surface.finish);
-      std::array<double, kFacets> share{};
-      double sum = 0.0;
-      for (std::size_t f = 0; f < kFacets; ++f) {
-        if (facets[f].weight > 0.0) share[f] = facets[f].weight * reflection.fresnel(facets[f].facing);
-        sum += share[f];
-      }
-      if (!(sum > 0.0)) continue;
-      const double scale = lx * tints[q] * shine_.albedo(q, surface.finish).at(in.z) / sum;
-      const std::size_t column = q * n_sources_ + source_of_[emitters_[e].original];
-      for (std::size_t f = 0; f < kFacets; ++f) {
-        if (share[f] > 0.0) psi[shine_.grid().patch_of(facets[f].out) * n_all() + column] += scale * share[f];
-      }
-    }
+    for (double& m : mean) m /= area_m2;
+    return mean;
   }
 
   const Zone& zone_;
@@ -271,26 +259,36 @@ class Builder {
   const Lights& lights_;
   const ReflectanceClasses& classes_;
   const Shine& shine_;
-  const RayCaster& caster_;
+  const Obstructions& obstructions_;
   const std::vector<std::size_t>& source_of_;
   std::size_t n_sources_;
-  int mirror_depth_;
+  MirrorOptions options_;
   bool in_the_way_;
-  std::vector<Emitter> emitters_;
-  std::vector<PairIntegrator> integrators_;
+  std::vector<std::unique_ptr<Order>> orders_;
+  MirroredLight mirrored_;
   DirectColumns result_;
-  std::vector<double> lobe_lx_;  // [n_off_specular, n_emitters]
-  std::vector<double> mirrored_, not_followed_,
-      escaped_;  // [n_cells, n_all]: cells of their own, summed in order
+  std::vector<std::vector<CellLight>> on_lobes_;    // [n_off_specular]
+  std::vector<std::vector<CellLight>> on_mirrors_;  // [n_cells] of the latest order
+  std::vector<double> own_point_lx_;                // [n_points, n_luminaires]
 };
 
 }  // namespace
 
+bool DirectColumns::add_followed() {
+  if (followed.empty() && followed_psi.empty()) return false;
+  for (std::size_t i = 0; i < followed.size(); ++i) cell[i] += followed[i];
+  for (std::size_t i = 0; i < followed_psi.size(); ++i) shine.psi[i] += followed_psi[i];
+  followed.clear();
+  followed_psi.clear();
+  return true;
+}
+
 DirectColumns direct_columns(const Zone& zone, const Cells& cells, const Network& network,
                              const Lights& lights, const ReflectanceClasses& classes, const Shine& shine,
-                             const RayCaster& caster, const std::vector<std::size_t>& source_of,
-                             std::size_t n_sources, int mirror_depth, bool in_the_way, const Job& job) {
-  return Builder(zone, cells, network, lights, classes, shine, caster, source_of, n_sources, mirror_depth,
+                             const Obstructions& obstructions, const std::vector<std::size_t>& source_of,
+                             std::size_t n_sources, const MirrorOptions& mirrors, bool in_the_way,
+                             const Job& job) {
+  return Builder(zone, cells, network, lights, classes, shine, obstructions, source_of, n_sources, mirrors,
                  in_the_way)
       .build(job);
 }

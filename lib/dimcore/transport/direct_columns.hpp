@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "transport/direct.hpp"
@@ -8,21 +9,44 @@
 
 namespace dim {
 
+struct MirrorOptions {
+  /// What deeper images could still bring is followed by rays (cells) or extrapolated (points) once it is
+  /// below this share of a luminaire's light.
+  double tolerance = 3e-4;
+  std::optional<int> depth;  ///< mirrors one after the other that luminaires are imaged in, instead
+};
+
 /// Direct light as columns to gather from: column = class * n_sources + source.
 struct DirectColumns {
   std::size_t n_columns = 0;  ///< n_sources where no mirror colours the light (every class alike), else all
-  std::vector<double> cell;   ///< [n_cells, n_columns] lx, images in mirrors included
-  std::vector<double> point;  ///< [n_points, n_columns]
-  std::size_t n_images = 0;   ///< of luminaires in mirrors
-  DirectShine shine;          ///< over all n_sources * n_classes columns
+  std::vector<double> cell;   ///< [n_cells, n_columns] lx, of luminaires and their images
+  std::vector<double> followed;  ///< the same of what rays carried on from the last images; empty without any
+  std::vector<double> point;     ///< [n_points, n_columns], deeper images extrapolated
+  DirectShine shine;             ///< over all n_sources * n_classes columns
+  std::vector<float> followed_psi;  ///< as shine.psi, of what rays carried on; empty without any
+
+  std::vector<int> mirror_depth;  ///< [n_luminaires] of the images that cells have
+  std::size_t n_images = 0;       ///< for cells and for points
+  std::size_t n_rays = 0;         ///< followed from the last images on
+  double followed_share = 0.0;    ///< of the light of the source of which most was
+  /// [n_columns] how far images not made can take a measuring point, over the larger of its direct light and
+  /// the cells' mean; the largest of all points
+  std::vector<double> uncertain;
+
+  /// Lets what rays carried on count as direct light. @returns whether there was any
+  bool add_followed();
 };
 
+/// Every luminaire is imaged in mirrors, order by order. On cells the images of an order are the last when
+/// mirrors reflect less than the tolerance of them, or when they become many; all that mirrors reflect of the
+/// last images is followed by rays, so that flux is kept. Points have deeper images, see `point_images`.
+///
 /// @param source_of  [n_luminaires]
 /// @param in_the_way    see `direct_light`
-/// @param mirror_depth  mirrors one after the other in which luminaires are imaged
 DirectColumns direct_columns(const Zone& zone, const Cells& cells, const Network& network,
                              const Lights& lights, const ReflectanceClasses& classes, const Shine& shine,
-                             const RayCaster& caster, const std::vector<std::size_t>& source_of,
-                             std::size_t n_sources, int mirror_depth, bool in_the_way, const Job& job);
+                             const Obstructions& obstructions, const std::vector<std::size_t>& source_of,
+                             std::size_t n_sources, const MirrorOptions& mirrors, bool in_the_way,
+                             const Job& job);
 
 }  // namespace dim

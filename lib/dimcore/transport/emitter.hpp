@@ -1,8 +1,12 @@
 #pragma once
 
+#include <optional>
+#include <span>
 #include <vector>
 
+#include "geometry/beam.hpp"
 #include "geometry/ray_caster.hpp"
+#include "reflection/mirror.hpp"
 #include "scene/lights.hpp"
 #include "scene/zone.hpp"
 
@@ -14,17 +18,46 @@ namespace dim {
 /// and angles, so that its intensity in a direction is that of the reflected frame. Light takes the path
 /// through all mirrors' polygons, both ends and every leg in between unblocked.
 struct Emitter {
-  Luminaire luminaire;  ///< in its own place, or where its image is
+  Luminaire luminaire;  ///< in its own place, or where its image is (without its names)
   const Fitting* fitting = nullptr;
   std::size_t original = 0;  ///< index into Lights::luminaires
   std::vector<int> mirrors;  ///< surfaces, from the light to the receiver; empty: the luminaire itself
+  Beam beam;                 ///< where its light can be: for receivers outside there is nothing to test
+  bool in_the_way = true;    ///< false where nothing can stand between two points of the zone
 };
 
-/// Every luminaire, then the images in up to `depth` of the mirrors given that light can take: the image
-/// before each mirror lies in front of it, and mirrors that follow each other face each other.
+/// The luminaires themselves.
+/// @param in_the_way  see `Emitter`
+std::vector<Emitter> own_emitters(const Lights& lights, bool in_the_way = true);
+
+/// Makes images of emitters in one mirror more, again and again.
+class MirrorImages {
+ public:
+  /// @param mirrors  surfaces that are mirrors
+  MirrorImages(const Zone& zone, const std::vector<int>& mirrors);
+
+  /// The images that light can take: of each emitter in every mirror that its beam meets from the front.
+  /// Mirrors count as the hull of their outline here; `path_blocked` looks closer. Order: by emitter, then by
+  /// mirror; the same on any number of threads.
+  /// @returns nothing where there are more than `most`
+  std::optional<std::vector<Emitter>> of(std::span<const Emitter> emitters, std::size_t most) const;
+
+ private:
+  struct Mirror {
+    int surface;
+    Ring3 hull;
+  };
+  std::vector<Emitter> of(const Emitter& emitter) const;
+
+  const Zone& zone_;
+  std::vector<Mirror> mirrors_;
+};
+
+/// Every luminaire, then its images in up to as many of the mirrors as its depth says.
+/// @param depth  [n_luminaires] >= 0
 /// @throws LimitError  more than a million images
 std::vector<Emitter> make_emitters(const Zone& zone, const Lights& lights, const std::vector<int>& mirrors,
-                                   int depth);
+                                   const std::vector<int>& depth);
 
 /// The point mirrored in a surface's plane.
 Vec3 mirrored(const Zone& zone, int surface, const Vec3& point);
@@ -35,9 +68,18 @@ Vec3 mirrored(const Zone& zone, int surface, const Vec3& point);
 bool path_blocked(const Zone& zone, const RayCaster& caster, const Emitter& emitter, const Vec3& receiver,
                   const Vec3& on_image, int skip);
 
-/// Cosines of incidence on the emitter's mirrors, from the receiver's last to the light's first, for the path
-/// between two points.
-std::vector<double> mirror_cosines(const Zone& zone, const Emitter& emitter, const Vec3& receiver,
-                                   const Vec3& on_image);
+/// Multiplies by what the emitter's mirrors leave of light on its path to a receiver.
+/// @param towards        unit vector from the receiver to the image
+/// @param tint           [n_classes]
+/// @param reflection_of  (class, finish) -> const BandReflection&
+template <class ReflectionOf>
+void tint_by_mirrors(const Zone& zone, const Emitter& emitter, Vec3 towards, std::span<double> tint,
+                     ReflectionOf&& reflection_of) {
+  for (auto mirror = emitter.mirrors.rbegin(); mirror != emitter.mirrors.rend(); ++mirror) {
+    const Surface& surface = zone.surfaces[static_cast<std::size_t>(*mirror)];
+    meet_mirror(surface.polygon.frame().n, towards, tint,
+                [&](std::size_t k) -> const BandReflection& { return reflection_of(k, surface.finish); });
+  }
+}
 
 }  // namespace dim

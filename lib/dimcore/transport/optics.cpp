@@ -6,8 +6,6 @@
 namespace dim {
 namespace {
 
-constexpr std::size_t kMostLobePatches = 1280;
-
 Shininess shininess(const Finish& finish, std::size_t index, const ReflectanceClasses& classes,
                     const PatchGrid& grid) {
   const bool any = std::any_of(classes.of_finish.begin(), classes.of_finish.end(), [&](const auto& finishes) {
@@ -46,9 +44,9 @@ ReflectanceClasses classify(const Zone& zone, const Bands& bands, bool apart, co
 
 PatchGrid lobe_grid(const PatchGrid& network) {
   PatchGrid grid = network;
-  while (grid.n_patches() > kMostLobePatches && grid.n_slices % 2 == 0 && grid.n_sectors % 2 == 0) {
-    grid.n_slices /= 2;
-    grid.n_sectors /= 2;
+  while (grid.n_patches() > kMostLobePatches) {
+    grid.n_slices = (grid.n_slices + 1) / 2;
+    grid.n_sectors = (grid.n_sectors + 1) / 2;
   }
   return grid;
 }

@@ -33,8 +33,11 @@ struct ReflectanceClasses {
 ReflectanceClasses classify(const Zone& zone, const Bands& bands, bool apart = false,
                             const LatticeValues* luminous = nullptr);
 
+/// Most patches of a lobe grid.
+inline constexpr std::size_t kMostLobePatches = 1280;
+
 /// The grid on which off-specular cells keep their light by direction: that of the network, coarsened by
-/// halves to at most some thousand patches.
+/// halves (odd numbers rounded up) to at most kMostLobePatches.
 PatchGrid lobe_grid(const PatchGrid& network);
 
 /// The class of every finish. @param grid  of `lobe_grid`

@@ -43,7 +43,7 @@ bool is_convex_and_empty(const Zone& zone, const Lights& lights) {
 
 ModelPlan make_plan(const Zone& zone, const Cells& cells, const Network& network, const Lights& lights,
                     const ReflectanceClasses& classes, const Shine& shine, std::size_t n_sources,
-                    std::size_t n_images, bool in_the_way) {
+                    const DirectColumns& direct, bool in_the_way) {
   ModelPlan plan;
   std::vector<bool> named(zone.finishes.size(), false);
   for (std::size_t s = 0; s < zone.surfaces.size(); ++s) {
@@ -70,7 +70,12 @@ ModelPlan make_plan(const Zone& zone, const Cells& cells, const Network& network
   plan.n_classes = classes.size();
   plan.n_off_specular_cells = shine.n_off_specular();
   plan.n_lobe_patches = shine.grid().n_patches();
-  plan.n_images = n_images;
+  plan.n_images = direct.n_images;
+  for (const int depth : direct.mirror_depth) plan.mirror_depth = std::max(plan.mirror_depth, depth);
+  plan.n_mirror_rays = direct.n_rays;
+  plan.mirror_rays_share = direct.followed_share;
+  for (const double uncertain : direct.uncertain)
+    plan.images_uncertain = std::max(plan.images_uncertain, uncertain);
   plan.mirror_rays_cut_off = shine.cut_off();
   plan.tests_visibility = in_the_way;
   plan.bytes_per_sink = network.sinks.wide() ? 4 : 2;

@@ -5,7 +5,7 @@
 
 #include "scene/lights.hpp"
 #include "scene/zone.hpp"
-#include "transport/shine.hpp"
+#include "transport/direct_columns.hpp"
 
 namespace dim {
 
@@ -17,7 +17,12 @@ struct ModelPlan {
   std::vector<std::string> without_spectrum;  ///< fittings that count as equal-energy white
   std::size_t n_bands = 0, n_classes = 0;
   std::size_t n_off_specular_cells = 0, n_lobe_patches = 0;
-  std::size_t n_images = 0;  ///< of luminaires in mirrors
+  std::size_t n_bodies = 0, n_body_cells = 0;  ///< of luminaires, among the zone's surfaces
+  std::size_t n_images = 0;        ///< of luminaires in mirrors
+  int mirror_depth = 0;            ///< most mirrors one after the other that cells have images in
+  std::size_t n_mirror_rays = 0;   ///< followed from the last images on,
+  double mirror_rays_share = 0.0;  ///< with this share of the light of the source of which most was
+  double images_uncertain = 0.0;   ///< how far images not made can take a point, see `DirectColumns`
   double mirror_rays_cut_off =
       0.0;  ///< share of the light rays collect that had met too many mirrors to go on
   bool tests_visibility = true;
@@ -29,10 +34,9 @@ struct ModelPlan {
 /// only, none with a corner behind another's plane, no body of a luminaire, no luminaire outside.
 bool is_convex_and_empty(const Zone& zone, const Lights& lights);
 
-/// @param n_images    of luminaires in mirrors
 /// @param in_the_way  whether visibility is tested
 ModelPlan make_plan(const Zone& zone, const Cells& cells, const Network& network, const Lights& lights,
                     const ReflectanceClasses& classes, const Shine& shine, std::size_t n_sources,
-                    std::size_t n_images, bool in_the_way);
+                    const DirectColumns& direct, bool in_the_way);
 
 }  // namespace dim

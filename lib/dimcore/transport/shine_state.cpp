@@ -12,228 +12,309 @@ ShineState::ShineState(const Shine& shine, const Zone& zone, const Network& netw
                        const DirectShine& direct, const std::vector<std::size_t>& class_of_column,
                        std::size_t n_columns, std::size_t first, std::size_t n, std::size_t width)
     : shine_(shine),
+      links_(shine.links()),
       zone_(zone),
       network_(network),
       cells_(cells),
       direct_(direct),
-      class_(class_of_column.begin() + static_cast<std::ptrdiff_t>(first),
-             class_of_column.begin() + static_cast<std::ptrdiff_t>(first + n)),
       n_columns_(n_columns),
       first_(first),
       n_(n),
       width_(width),
-      psi_(shine.n_states() * width, 0.0),
-      change_(shine.n_off_specular() * width, 0.0) {
-  for (std::size_t s = 0; s < shine.n_states(); ++s) {
-    for (std::size_t c = 0; c < n; ++c)
-      psi_[s * width + c] = static_cast<double>(direct.psi[s * n_columns + first + c]);
+      landed_(n, 0.0) {
+  for (std::size_t c = 0; c < n; ++c) {
+    if (runs_.empty() || class_of_column[first + c] != runs_.back().klass)
+      runs_.push_back({class_of_column[first + c], c, c});
+    runs_.back().last = c + 1;
+  }
+  set_psi(direct.psi);
+  before_ = psi_;
+}
+
+// Calls f(first, last) for runs of off-specular cells, so that what it works in is made once for many.
+template <class F>
+void ShineState::for_off_specular(F&& f) const {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, shine_.n_off_specular(), 16),
+                    [&](const auto& range) { f(range.begin(), range.end()); });
+}
+
+// Calls f(link, run of columns, share of the receiver's hemisphere times tint).
+template <class F>
+void ShineState::for_seen_in_mirrors(std::size_t receiver, F&& f) const {
+  for (auto l = links_.mirror_first[receiver]; l < links_.mirror_first[receiver + 1]; ++l) {
+    const auto& link = links_.mirror[l];
+    for (const auto& run : runs_)
+      f(link, run,
+        static_cast<double>(link.share) *
+            static_cast<double>(links_.mirror_tint[l * links_.n_classes + run.klass]));
   }
 }
 
+// Calls f(link, run of columns, weight times tint).
 template <class F>
-void ShineState::for_off_specular(F&& f) const {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, shine_.n_off_specular(), 4), [&](const auto& range) {
-    for (std::size_t g = range.begin(); g != range.end(); ++g) f(g);
-  });
+void ShineState::for_lobes_by_mirrors(std::size_t receiver, F&& f) const {
+  for (auto l = links_.lobe_by_mirror_first[receiver]; l < links_.lobe_by_mirror_first[receiver + 1]; ++l) {
+    const auto& link = links_.lobe_by_mirror[l];
+    for (const auto& run : runs_)
+      f(link, run,
+        static_cast<double>(link.weight) *
+            static_cast<double>(links_.lobe_tint[l * links_.n_classes + run.klass]));
+  }
 }
 
 void ShineState::add_to_cells(const std::vector<double>& exitance, std::vector<double>& gathered) const {
-  const auto& mirror_first = shine_.mirror_first();
-  const auto& lobe_first = shine_.lobe_first();
-  const auto n_sectors = static_cast<std::size_t>(network_.patches.n_sectors);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells_.size(), 64), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       double* sums = &gathered[i * width_];
-      for (auto l = mirror_first[i]; l < mirror_first[i + 1]; ++l) {
-        const auto& link = shine_.mirror_links()[l];
-        const double weight = network_.patches.weight_sr(static_cast<int>(link.patch / n_sectors)) / kPi;
+      for_seen_in_mirrors(i, [&](const ShineLinks::Mirror& link, const Run& run, double weight) {
+        weight *= links_.mirror_scale[link.cell * links_.n_classes + run.klass];
         const double* from = &exitance[link.cell * width_];
-        for (std::size_t c = 0; c < n_; ++c) sums[c] += weight * shine_.tint(link.tint, class_[c]) * from[c];
-      }
-      // The row scale, which belongs to the network's own rows, is still to come.
+        for (std::size_t c = run.first; c < run.last; ++c) sums[c] += weight * from[c];
+      });
+      // The row scale belongs to what the network's rows find, not to what lobes send.
       const double unscale = 1.0 / network_.row_scale[i];
-      for (auto l = lobe_first[i]; l < lobe_first[i + 1]; ++l) {
-        const auto& link = shine_.lobe_links()[l];
-        const double* from = &psi_[link.state * width_];
+      for (auto l = links_.lobe_first[i]; l < links_.lobe_first[i + 1]; ++l) {
+        const auto& link = links_.lobe[l];
         const double weight = static_cast<double>(link.weight) * unscale;
-        for (std::size_t c = 0; c < n_; ++c) sums[c] += weight * shine_.tint(link.tint, class_[c]) * from[c];
+        const double* from = &psi_[link.state * n_];
+        for (std::size_t c = 0; c < n_; ++c) sums[c] += weight * from[c];
       }
+      for_lobes_by_mirrors(i, [&](const ShineLinks::Lobe& link, const Run& run, double weight) {
+        const double* from = &psi_[link.state * n_];
+        for (std::size_t c = run.first; c < run.last; ++c) sums[c] += weight * unscale * from[c];
+      });
     }
   });
 }
 
 void ShineState::add_to_points(const std::vector<double>& exitance, std::vector<double>& sums) const {
-  const std::size_t n_cells = cells_.size();
-  const auto n_sectors = static_cast<std::size_t>(network_.point_patches.n_sectors);
-  for (std::size_t p = 0; p < network_.point_sinks.n_rows(); ++p) {
-    double* sum = &sums[p * width_];
-    for (std::size_t c = 0; c < n_; ++c) sum[c] += direct_.point_lobe[p * n_columns_ + first_ + c];
-    for (auto l = shine_.mirror_first()[n_cells + p]; l < shine_.mirror_first()[n_cells + p + 1]; ++l) {
-      const auto& link = shine_.mirror_links()[l];
-      const double weight = network_.point_patches.weight_sr(static_cast<int>(link.patch / n_sectors)) / kPi;
-      for (std::size_t c = 0; c < n_; ++c)
-        sum[c] += weight * shine_.tint(link.tint, class_[c]) * exitance[link.cell * width_ + c];
-    }
-    for (auto l = shine_.lobe_first()[n_cells + p]; l < shine_.lobe_first()[n_cells + p + 1]; ++l) {
-      const auto& link = shine_.lobe_links()[l];
-      const float* known = &direct_.psi[link.state * n_columns_ + first_];
-      for (std::size_t c = 0; c < n_; ++c) {
-        // What lobes make of direct light is in point_lobe already, unless seen in a mirror.
-        const double psi =
-            psi_[link.state * width_ + c] - (link.tint == 0 ? static_cast<double>(known[c]) : 0.0);
-        sum[c] += static_cast<double>(link.weight) * shine_.tint(link.tint, class_[c]) * psi;
+  const std::size_t n_cells = cells_.size(), n_points = network_.point_sinks.n_rows();
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n_points, 4), [&](const auto& range) {
+    for (std::size_t p = range.begin(); p != range.end(); ++p) {
+      double* sum = &sums[p * width_];
+      for (std::size_t c = 0; c < n_; ++c) sum[c] += direct_.point_lobe[p * n_columns_ + first_ + c];
+      for_seen_in_mirrors(n_cells + p, [&](const ShineLinks::Mirror& link, const Run& run, double weight) {
+        const double* from = &exitance[link.cell * width_];
+        for (std::size_t c = run.first; c < run.last; ++c) sum[c] += weight * from[c];
+      });
+      // What lobes make of direct light is in point_lobe already, unless seen in a mirror.
+      for (auto l = links_.lobe_first[n_cells + p]; l < links_.lobe_first[n_cells + p + 1]; ++l) {
+        const auto& link = links_.lobe[l];
+        const double* from = &psi_[link.state * n_];
+        const float* known = direct_psi(link.state);
+        for (std::size_t c = 0; c < n_; ++c)
+          sum[c] += static_cast<double>(link.weight) * (from[c] - static_cast<double>(known[c]));
       }
+      for_lobes_by_mirrors(n_cells + p, [&](const ShineLinks::Lobe& link, const Run& run, double weight) {
+        const double* from = &psi_[link.state * n_];
+        for (std::size_t c = run.first; c < run.last; ++c) sum[c] += weight * from[c];
+      });
     }
-  }
+  });
 }
 
-// Flux per area that comes in through each lobe patch of a shiny cell, direct light left out. [patches,
-// width]
-void ShineState::incoming(std::size_t cell, const std::vector<double>& exitance,
+void ShineState::incoming(std::size_t g, const std::vector<double>& exitance,
                           std::vector<double>& phi) const {
+  const std::size_t cell = shine_.off_specular()[g];
+  const double row_scale = network_.row_scale[cell];
   const auto& patches = network_.patches;
-  const auto n_sectors = static_cast<std::size_t>(patches.n_sectors);
-  phi.assign(shine_.grid().n_patches() * width_, 0.0);
-  for (std::size_t patch = 0; patch < patches.n_patches(); ++patch) {
-    const double weight =
-        patches.weight_sr(static_cast<int>(patch / n_sectors)) / kPi * network_.row_scale[cell];
-    const double* from = &exitance[network_.sinks.at(cell, patch) * width_];
-    double* to = &phi[shine_.lobe_patch(patch) * width_];
+  phi.assign(shine_.grid().n_patches() * n_, 0.0);
+  const auto add = [&](std::size_t patch, std::size_t from_cell, double weight) {
+    const double* from = &exitance[from_cell * width_];
+    double* to = &phi[patch * n_];
     for (std::size_t c = 0; c < n_; ++c) to[c] += weight * from[c];
+  };
+  std::size_t patch = 0;
+  for (int slice = 0; slice < patches.n_slices; ++slice) {
+    const double weight = row_scale * patches.weight_sr(slice) / kPi;
+    for (int sector = 0; sector < patches.n_sectors; ++sector, ++patch)
+      add(shine_.states().patch_of(patch), network_.sinks.at(cell, patch), weight);
   }
-  for (auto l = shine_.mirror_first()[cell]; l < shine_.mirror_first()[cell + 1]; ++l) {
-    const auto& link = shine_.mirror_links()[l];
-    const double weight =
-        patches.weight_sr(static_cast<int>(link.patch / n_sectors)) / kPi * network_.row_scale[cell];
-    double* to = &phi[shine_.lobe_patch(link.patch) * width_];
-    for (std::size_t c = 0; c < n_; ++c)
-      to[c] += weight * shine_.tint(link.tint, class_[c]) * exitance[link.cell * width_ + c];
+  if (network_.has_family()) {
+    const std::uint16_t* of = &links_.family_patch[links_.family_first[g]];
+    for (auto e = network_.extra.first[cell]; e < network_.extra.first[cell + 1]; ++e)
+      add(*of++, network_.extra.cell[e], row_scale * network_.extra.weight[e]);
   }
-  for (auto l = shine_.lobe_first()[cell]; l < shine_.lobe_first()[cell + 1]; ++l) {
-    const auto& link = shine_.lobe_links()[l];
-    double* to = &phi[link.patch_in * width_];
+  for_seen_in_mirrors(cell, [&](const ShineLinks::Mirror& link, const Run& run, double weight) {
+    weight *= row_scale * links_.mirror_scale[link.cell * links_.n_classes + run.klass];
+    const double* from = &exitance[link.cell * width_];
+    for (std::size_t c = run.first; c < run.last; ++c) phi[link.patch * n_ + c] += weight * from[c];
+  });
+  for (auto l = links_.lobe_first[cell]; l < links_.lobe_first[cell + 1]; ++l) {
+    const auto& link = links_.lobe[l];
     for (std::size_t c = 0; c < n_; ++c)
-      to[c] += static_cast<double>(link.weight) * shine_.tint(link.tint, class_[c]) *
-               psi_[link.state * width_ + c];
+      phi[link.patch_in * n_ + c] += static_cast<double>(link.weight) * psi_[link.state * n_ + c];
+  }
+  for_lobes_by_mirrors(cell, [&](const ShineLinks::Lobe& link, const Run& run, double weight) {
+    for (std::size_t c = run.first; c < run.last; ++c)
+      phi[link.patch_in * n_ + c] += weight * psi_[link.state * n_ + c];
+  });
+}
+
+// Writes the cell's new psi over its old one before the last (`before_`).
+void ShineState::reflect_cell(std::size_t g, const std::vector<double>& phi, std::vector<double>& scratch,
+                              double* change) {
+  const std::size_t n_patches = shine_.grid().n_patches(), first_state = g * n_patches;
+  const int finish = zone_.surfaces[cells_.surface_of(shine_.off_specular()[g])].finish;
+  double* out = &before_[first_state * n_];
+  for (const auto& run : runs_) {
+    const auto& lobe = shine_.lobe_kernel(run.klass, finish);
+    const std::size_t n_run = run.last - run.first;
+    scratch.resize(std::max(scratch.size(), lobe.n_scratch(n_run)));
+    lobe.apply(&phi[run.first], out + run.first, n_run, n_, scratch.data());
+  }
+  std::fill_n(change, n_, 0.0);
+  for (std::size_t p = 0; p < n_patches; ++p) {
+    const float* direct = direct_psi(first_state + p);
+    for (std::size_t c = 0; c < n_; ++c) {
+      out[p * n_ + c] += static_cast<double>(direct[c]);
+      change[c] += std::abs(out[p * n_ + c] - psi_[(first_state + p) * n_ + c]);
+    }
   }
 }
 
 std::vector<double> ShineState::reflect(const std::vector<double>& exitance) {
-  const PatchGrid& grid = shine_.grid();
-  const auto n_patches = grid.n_patches(), n_sectors = static_cast<std::size_t>(grid.n_sectors);
-  std::vector<double> next(psi_.size());
-  for_off_specular([&](std::size_t g) {
-    const std::size_t cell = shine_.off_specular()[g];
-    const int finish = zone_.surfaces[cells_.surface_of(cell)].finish;
-    std::vector<double> phi;
-    incoming(cell, exitance, phi);
-    double* out = &next[g * n_patches * width_];
-    for (std::size_t p = 0; p < n_patches; ++p) {
-      for (std::size_t c = 0; c < n_; ++c)
-        out[p * width_ + c] = static_cast<double>(direct_.psi[(g * n_patches + p) * n_columns_ + first_ + c]);
-    }
-    // Columns of one class are neighbours.
-    for (std::size_t c0 = 0, c1 = 0; c0 < n_; c0 = c1) {
-      for (c1 = c0; c1 < n_ && class_[c1] == class_[c0]; ++c1) {
-      }
-      const LobeMatrix& lobe = shine_.lobe(class_[c0], finish);
-      for (std::size_t p = 0; p < n_patches; ++p) {
-        const double* in = &phi[p * width_];
-        const std::size_t sector = p % n_sectors;
-        const int slice = static_cast<int>(p / n_sectors);
-        for (const auto* entry = lobe.begin(slice); entry != lobe.end(slice); ++entry) {
-          const std::size_t turned = sector + entry->turn;
-          double* to =
-              out +
-              (entry->slice_out * n_sectors + (turned < n_sectors ? turned : turned - n_sectors)) * width_;
-          for (std::size_t c = c0; c < c1; ++c) to[c] += entry->share * in[c];
-        }
-      }
-    }
-    double* change = &change_[g * width_];
-    std::fill_n(change, width_, 0.0);
-    for (std::size_t p = 0; p < n_patches; ++p) {
-      for (std::size_t c = 0; c < n_; ++c)
-        change[c] += out[p * width_ + c] - psi_[(g * n_patches + p) * width_ + c];
+  std::vector<double> change(shine_.n_off_specular() * n_);
+  for_off_specular([&](std::size_t first, std::size_t last) {
+    std::vector<double> phi, scratch;
+    for (std::size_t g = first; g < last; ++g) {
+      incoming(g, exitance, phi);
+      reflect_cell(g, phi, scratch, &change[g * n_]);
     }
   });
-  psi_ = std::move(next);
-  std::vector<double> largest(width_, 0.0);
+  landed_ = landed_by_mirrors(exitance, psi_);
+  std::swap(psi_, before_);
+  std::vector<double> flux(width_, 0.0);
   for (std::size_t g = 0; g < shine_.n_off_specular(); ++g) {
-    for (std::size_t c = 0; c < n_; ++c) largest[c] = std::max(largest[c], std::abs(change_[g * width_ + c]));
+    const double area_m2 = cells_.area_m2(shine_.off_specular()[g]);
+    for (std::size_t c = 0; c < n_; ++c) flux[c] += area_m2 * change[g * n_ + c];
   }
-  return largest;
+  return flux;
+}
+
+// Flux of each column that comes down on cells after mirrors.
+std::vector<double> ShineState::landed_by_mirrors(const std::vector<double>& exitance,
+                                                  const std::vector<double>& psi) const {
+  std::vector<double> landed(n_, 0.0);
+  if (!shine_.has_mirrors()) return landed;
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    const double area_m2 = cells_.area_m2(i);
+    for (const auto& run : runs_) {
+      const double passed =
+          area_m2 / network_.column_scale[i] * links_.passed[i * links_.n_classes + run.klass].landed;
+      for (std::size_t c = run.first; c < run.last; ++c) landed[c] += passed * exitance[i * width_ + c];
+    }
+    for_lobes_by_mirrors(i, [&](const ShineLinks::Lobe& link, const Run& run, double weight) {
+      for (std::size_t c = run.first; c < run.last; ++c)
+        landed[c] += area_m2 * weight * psi[link.state * n_ + c];
+    });
+  }
+  return landed;
+}
+
+// @param change  of what arrives without a mirror
+void ShineState::add_power_of_lobe(std::size_t g, double* reflected, double* escaped, double* change) const {
+  const std::size_t cell = shine_.off_specular()[g], n_patches = shine_.grid().n_patches();
+  const double area_m2 = cells_.area_m2(cell);
+  const double* now = &psi_[g * n_patches * n_];
+  const double* before = &before_[g * n_patches * n_];
+  for (std::size_t p = 0; p < n_patches; ++p) {
+    for (std::size_t c = 0; c < n_; ++c) {
+      reflected[c] += area_m2 * now[p * n_ + c];
+      change[c] += area_m2 * (now[p * n_ + c] - before[p * n_ + c]);
+    }
+  }
+  for (std::size_t patch = 0; patch < network_.patches.n_patches(); ++patch) {
+    if (network_.sinks.at(cell, patch) < cells_.size()) continue;
+    const double out_m2 = area_m2 * shine_.states().share_of(patch);
+    const std::size_t p = shine_.states().patch_of(patch);
+    for (std::size_t c = 0; c < n_; ++c) {
+      escaped[c] += out_m2 * now[p * n_ + c];
+      change[c] -= out_m2 * (now[p * n_ + c] - before[p * n_ + c]);
+    }
+  }
+}
+
+void ShineState::add_power_of_mirrors(const std::vector<double>& exitance, Power& power) const {
+  const auto add = [&](std::size_t c, double flux, bool escapes) {
+    (escapes ? power.escaped : power.cut)[c] += flux;
+    power.reflected[c] += flux;
+  };
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    for (const auto& run : runs_) {
+      const auto& passed = links_.passed[i * links_.n_classes + run.klass];
+      for (std::size_t c = run.first; c < run.last; ++c) {
+        const double sent = cells_.area_m2(i) / network_.column_scale[i] * exitance[i * width_ + c];
+        add(c, sent * passed.escaped, true);
+        add(c, sent * passed.cut, false);
+      }
+    }
+  }
+  for (std::size_t l = 0; l < links_.lobe_loss.size(); ++l) {
+    const auto& loss = links_.lobe_loss[l];
+    for (const auto& run : runs_) {
+      const double weight_m2 = static_cast<double>(loss.weight_m2) *
+                               static_cast<double>(links_.lobe_loss_tint[l * links_.n_classes + run.klass]);
+      for (std::size_t c = run.first; c < run.last; ++c)
+        add(c, weight_m2 * psi_[loss.state * n_ + c], loss.escaped);
+    }
+  }
+  const auto landed = landed_by_mirrors(exitance, psi_);
+  for (std::size_t c = 0; c < n_; ++c) {
+    power.reflected[c] += landed[c];
+    power.in_flight[c] += landed[c] - landed_[c] + power.cut[c];
+  }
 }
 
 ShineState::Power ShineState::power(const std::vector<double>& exitance) const {
-  const PatchGrid& grid = shine_.grid();
-  const auto n_patches = grid.n_patches(), n_sectors = static_cast<std::size_t>(grid.n_sectors);
-  Power power{std::vector<double>(n_, 0.0), std::vector<double>(n_, 0.0), std::vector<double>(n_, 0.0)};
-  const auto open_patches = [&](std::size_t cell) {
-    std::vector<std::size_t> open;
-    for (std::size_t patch = 0; patch < network_.patches.n_patches(); ++patch) {
-      if (network_.sinks.at(cell, patch) >= cells_.size()) open.push_back(patch);
+  const std::size_t n_lobes = shine_.n_off_specular();
+  std::vector<double> parts(3 * n_lobes * n_, 0.0);  // by cell, so that they are added in order
+  for_off_specular([&](std::size_t first, std::size_t last) {
+    for (std::size_t g = first; g < last; ++g) {
+      double* part = &parts[3 * g * n_];
+      add_power_of_lobe(g, part, part + n_, part + 2 * n_);
     }
-    return open;
-  };
-  const auto share = [&](std::size_t patch) {
-    const int slice = static_cast<int>(patch / static_cast<std::size_t>(network_.patches.n_sectors));
-    return network_.patches.weight_sr(slice) /
-           grid.weight_sr(static_cast<int>(shine_.lobe_patch(patch) / n_sectors));
-  };
-  for (std::size_t g = 0; g < shine_.n_off_specular(); ++g) {
-    const std::size_t cell = shine_.off_specular()[g];
-    const double area_m2 = cells_.area_m2(cell);
-    const double* psi = &psi_[g * n_patches * width_];
+  });
+  const std::vector<double> none(n_, 0.0);
+  Power power{none, none, none, none};
+  for (std::size_t g = 0; g < n_lobes; ++g) {
     for (std::size_t c = 0; c < n_; ++c) {
-      for (std::size_t p = 0; p < n_patches; ++p) power.reflected[c] += area_m2 * psi[p * width_ + c];
-      power.in_flight[c] += area_m2 * change_[g * width_ + c];
-    }
-    for (const std::size_t patch : open_patches(cell)) {
-      for (std::size_t c = 0; c < n_; ++c)
-        power.escaped[c] += area_m2 * share(patch) * psi[shine_.lobe_patch(patch) * width_ + c];
+      power.reflected[c] += parts[3 * g * n_ + c];
+      power.escaped[c] += parts[(3 * g + 1) * n_ + c];
+      power.in_flight[c] += parts[(3 * g + 2) * n_ + c];
     }
   }
-  std::vector<double> phi;
-  for (const int mirror : shine_.mirrors()) {
-    const auto s = static_cast<std::size_t>(mirror);
-    for (std::size_t cell = cells_.first(s); cell < cells_.first(s + 1); ++cell) {
-      incoming(cell, exitance, phi);
-      std::vector<bool> open(n_patches, false);
-      for (const std::size_t patch : open_patches(cell)) open[shine_.lobe_patch(patch)] = true;
-      for (std::size_t p = 0; p < n_patches; ++p) {
-        const std::size_t slice = p / n_sectors;
-        const std::size_t towards = slice * n_sectors + (p % n_sectors + n_sectors / 2) % n_sectors;
-        for (std::size_t c = 0; c < n_; ++c) {
-          const double reflected = cells_.area_m2(cell) * phi[p * width_ + c] *
-                                   shine_.slice_albedo(class_[c], zone_.surfaces[s].finish)[slice];
-          power.reflected[c] += reflected;
-          if (open[towards]) power.escaped[c] += reflected;
-        }
-      }
-    }
-  }
+  if (shine_.has_mirrors()) add_power_of_mirrors(exitance, power);
   return power;
 }
 
 double ShineState::largest_albedo(std::size_t surface, std::size_t column) const {
   if (shine_.of_surface(surface) != Shininess::off_specular) return 0.0;
-  const auto& albedo = shine_.slice_albedo(class_[column], zone_.surfaces[surface].finish);
+  const auto run = std::find_if(runs_.begin(), runs_.end(), [&](const Run& r) { return column < r.last; });
+  if (run == runs_.end()) return 0.0;
+  const auto& albedo = shine_.slice_albedo(run->klass, zone_.surfaces[surface].finish);
   return *std::max_element(albedo.begin(), albedo.end());
 }
 
-void ShineState::copy_psi(std::vector<float>& psi) const {
-  for (std::size_t s = 0; s < shine_.n_states(); ++s) {
-    for (std::size_t c = 0; c < n_; ++c)
-      psi[s * n_columns_ + first_ + c] = static_cast<float>(psi_[s * width_ + c]);
-  }
+void ShineState::copy_psi(std::vector<float>& psi, const std::vector<bool>& wanted) const {
+  const std::size_t n_patches = shine_.grid().n_patches();
+  for_off_specular([&](std::size_t first, std::size_t last) {
+    for (std::size_t s = first * n_patches; s < last * n_patches; ++s) {
+      for (std::size_t c = 0; c < n_; ++c)
+        if (wanted[c]) psi[s * n_columns_ + first_ + c] = static_cast<float>(psi_[s * n_ + c]);
+    }
+  });
 }
 
 void ShineState::set_psi(const std::vector<float>& psi) {
-  for (std::size_t s = 0; s < shine_.n_states(); ++s) {
-    for (std::size_t c = 0; c < n_; ++c)
-      psi_[s * width_ + c] = static_cast<double>(psi[s * n_columns_ + first_ + c]);
-  }
+  const std::size_t n_patches = shine_.grid().n_patches();
+  psi_.resize(shine_.n_states() * n_);
+  for_off_specular([&](std::size_t first, std::size_t last) {
+    for (std::size_t s = first * n_patches; s < last * n_patches; ++s) {
+      for (std::size_t c = 0; c < n_; ++c)
+        psi_[s * n_ + c] = static_cast<double>(psi[s * n_columns_ + first_ + c]);
+    }
+  });
 }
 
 }  // namespace dim

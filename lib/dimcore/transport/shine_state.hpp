@@ -21,48 +21,77 @@ struct DirectShine {
 /// The light by direction of a block of columns while it is being gathered.
 class ShineState {
  public:
-  /// @param first, n  columns of the whole problem that the block holds; @param width  of its arrays, >= n
+  /// @param first, n  columns of the whole problem that the block holds; @param width  of the arrays that it
+  ///                  is given, >= n
   ShineState(const Shine& shine, const Zone& zone, const Network& network, const Cells& cells,
              const DirectShine& direct, const std::vector<std::size_t>& class_of_column,
              std::size_t n_columns, std::size_t first, std::size_t n, std::size_t width);
 
-  /// Adds what mirrors and lobes bring to the gathered irradiances of cells. [n_cells, width]
-  /// @param exitance  [n_cells + 1, width], column scales included
+  /// Adds what mirrors and lobes bring to the gathered irradiances of cells, which are still to be multiplied
+  /// with the network's row scale. [n_cells, width]
+  /// @param exitance  [n_cells + 1, width], column scales included; the last row zero
   void add_to_cells(const std::vector<double>& exitance, std::vector<double>& gathered) const;
   /// The same for measuring points. [n_points, width]
+  /// @param exitance  without column scales
   void add_to_points(const std::vector<double>& exitance, std::vector<double>& sums) const;
 
-  /// New lobes from what comes in now. @returns the largest change of a cell's reflected flux per area, by
-  /// column
+  /// Flux per area that comes in through each lobe patch of off-specular cell `g` (index into
+  /// Shine::off_specular), direct light left out: all that is gathered there, taken apart by direction.
+  /// @param phi  [lobe patches, n] written
+  void incoming(std::size_t g, const std::vector<double>& exitance, std::vector<double>& phi) const;
+
+  /// New lobes from what comes in now.
+  /// @returns [width] the sum of absolute changes of the flux that cells reflect into each patch
   std::vector<double> reflect(const std::vector<double>& exitance);
 
-  /// Flux of each column that lobes and mirrors take up again, that leaves the zone, and of the last change.
+  /// Flux of each column, W per W/m2 of exitance.
   struct Power {
-    std::vector<double> reflected, escaped, in_flight;
+    std::vector<double> reflected;  ///< taken up again by lobes and mirrors
+    std::vector<double> escaped;    ///< of that, what leaves the zone
+    std::vector<double> in_flight;  ///< of that, what has not arrived: the last change, and what is cut off
+    std::vector<double> cut;        ///< of that, cut off after many mirrors
   };
+  /// After reflect() with the exitances before these.
   Power power(const std::vector<double>& exitance) const;
 
   /// Largest share that a surface's lobe reflects of light from any patch; 0 for others, mirrors too (which
   /// hold no light).
   double largest_albedo(std::size_t surface, std::size_t column) const;
 
-  /// [n_states, n_columns] of the whole problem, this block's columns written.
-  void copy_psi(std::vector<float>& psi) const;
+  /// [n_states, n_columns] of the whole problem, those of this block's columns written that are wanted.
+  void copy_psi(std::vector<float>& psi, const std::vector<bool>& wanted) const;
   void set_psi(const std::vector<float>& psi);
 
  private:
-  void incoming(std::size_t cell, const std::vector<double>& exitance, std::vector<double>& phi) const;
+  // Columns of one class, neighbours in every array.
+  struct Run {
+    std::size_t klass, first, last;
+  };
+
+  template <class F>
+  void for_seen_in_mirrors(std::size_t receiver, F&& f) const;
+  template <class F>
+  void for_lobes_by_mirrors(std::size_t receiver, F&& f) const;
   template <class F>
   void for_off_specular(F&& f) const;
+  void reflect_cell(std::size_t g, const std::vector<double>& phi, std::vector<double>& scratch,
+                    double* change);
+  void add_power_of_lobe(std::size_t g, double* reflected, double* escaped, double* change) const;
+  void add_power_of_mirrors(const std::vector<double>& exitance, Power& power) const;
+  std::vector<double> landed_by_mirrors(const std::vector<double>& exitance,
+                                        const std::vector<double>& psi) const;
+  const float* direct_psi(std::size_t state) const { return &direct_.psi[state * n_columns_ + first_]; }
 
   const Shine& shine_;
+  const ShineLinks& links_;
   const Zone& zone_;
   const Network& network_;
   const Cells& cells_;
   const DirectShine& direct_;
-  std::vector<std::size_t> class_;  // of each column of the block
   std::size_t n_columns_, first_, n_, width_;
-  std::vector<double> psi_, change_;  // [n_states, width]; [n_off_specular, width] of the last round
+  std::vector<Run> runs_;
+  std::vector<double> psi_, before_;  // [n_states, n] now, and before the last reflect()
+  std::vector<double> landed_;        // [n] by mirrors, of the exitances of the last reflect()
 };
 
 }  // namespace dim

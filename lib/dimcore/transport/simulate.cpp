@@ -8,6 +8,7 @@
 
 #include "transport/assembly.hpp"
 #include "transport/auto_bands.hpp"
+#include "network/with_bodies.hpp"
 #include "transport/direct_columns.hpp"
 
 namespace dim {
@@ -15,7 +16,6 @@ namespace {
 
 constexpr std::size_t kBlockBytes = 32 * 4 * sizeof(double);  // a block of columns being solved
 constexpr int kProbeRays = 1024;                              // to notice a luminaire in the wrong place
-constexpr int kRayMirrorDepth = 16;
 constexpr int kBalanceRays = 32768;  // to say what share of its light leaves the zone
 
 void check_finishes(const Zone& zone, const Bands& bands, const ReflectanceClasses& classes) {
@@ -76,18 +76,6 @@ Sources make_sources(const Lights& lights, const Bands& bands, Combine combine) 
   return result;
 }
 
-// Spreads [n, n_sources] over columns class * n_sources + source.
-std::vector<double> repeat_columns(const std::vector<double>& values, std::size_t n_sources,
-                                   std::size_t n_classes) {
-  if (n_classes == 1) return values;
-  const std::size_t n = n_sources ? values.size() / n_sources : 0;
-  std::vector<double> result(values.size() * n_classes);
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t q = 0; q < n_classes; ++q)
-      std::copy_n(&values[i * n_sources], n_sources, &result[(i * n_classes + q) * n_sources]);
-  }
-  return result;
-}
 
 void check_size(std::size_t n_cells, std::size_t n_points, std::size_t n_sources, std::size_t n_classes,
                 std::size_t n_bands, const Job& job) {
@@ -119,13 +107,11 @@ void check_shine_size(const Shine& shine, std::size_t n_columns, const Job& job)
 // The first flights of each source, luminaires weighted by flux; the long count only where light can leave.
 std::vector<FirstFlight> source_flights(const Zone& zone, const Network& network, const Lights& lights,
                                         const Sources& sources, const Job& job, Warnings& warnings) {
-  const bool bodies = std::any_of(lights.luminaires.begin(), lights.luminaires.end(),
-                                  [](const Luminaire& luminaire) { return luminaire.body; });
   const auto probes = first_flights(zone, lights, kProbeRays, job);
   // A few rays in a million that slip past an edge do not make a zone open.
   constexpr double kLeak = 1e-4;
   const double n_rays = static_cast<double>(network.sinks.n_rays());
-  bool leaves = bodies || static_cast<double>(network.n_escaped_rays + network.n_back_rays) > kLeak * n_rays;
+  bool leaves = static_cast<double>(network.n_escaped_rays + network.n_back_rays) > kLeak * n_rays;
   for (std::size_t l = 0; l < probes.size(); ++l) {
     const auto& luminaire = lights.luminaires[l];
     const double off = probes[l].escaped + probes[l].lost;
@@ -151,10 +137,10 @@ std::vector<FirstFlight> source_flights(const Zone& zone, const Network& network
   return flights;
 }
 
-}  // namespace
-
-Solution simulate(const Zone& zone, const Cells& cells, const Network& network, const Lights& lights,
-                  const SimulationOptions& options, const Job& job, Warnings& warnings) {
+// @param n_kept  cells of the solution: the first ones
+Solution simulate_room(const Zone& zone, const Cells& cells, const Network& network, const Lights& lights,
+                       std::size_t n_kept, const SimulationOptions& options, const Job& job,
+                       Warnings& warnings) {
   const LampSpectra lamps = lamp_spectra(lights);
   const LatticeValues seen = luminous_weights(lamps.spectra, lamps.flux_lm);
   const ReflectanceClasses classes = classify(zone, options.bands, options.solve_every_band, &seen);
@@ -165,57 +151,68 @@ Solution simulate(const Zone& zone, const Cells& cells, const Network& network, 
   check_size(cells.size(), zone.points.size(), n_sources, n_classes, options.bands.size(), job);
 
   const Obstructions obstructions(zone, lights);
-  const Shine shine(zone, cells, network, classes, obstructions.caster(), kRayMirrorDepth, job);
+  const Shine shine(zone, cells, network, classes, obstructions.caster(), MirrorRayOptions{}, job);
   check_shine_size(shine, n_columns, job);
   const auto flights = source_flights(zone, network, lights, sources, job, warnings);
   const bool in_the_way = options.always_test_visibility || !is_convex_and_empty(zone, lights);
-  DirectColumns direct =
-      direct_columns(zone, cells, network, lights, classes, shine, obstructions.caster(),
-                     sources.of_luminaire, n_sources, options.mirror_depth, in_the_way, job);
-  std::vector<double> reflectance(zone.surfaces.size() * n_columns);
-  std::vector<std::size_t> class_of_column(n_columns);
-  for (std::size_t c = 0; c < n_columns; ++c) class_of_column[c] = c / n_sources;
+  DirectColumns direct = direct_columns(zone, cells, network, lights, classes, shine, obstructions,
+                                        sources.of_luminaire, n_sources,
+                                        {options.gather.tolerance, options.mirror_depth}, in_the_way, job);
+  Reflectances reflectances{n_classes, std::vector<double>(zone.surfaces.size() * n_classes),
+                            std::vector<std::size_t>(n_columns)};
+  for (std::size_t c = 0; c < n_columns; ++c) reflectances.class_of_column[c] = c / n_sources;
   for (std::size_t surface = 0; surface < zone.surfaces.size(); ++surface) {
-    for (std::size_t c = 0; c < n_columns; ++c)
-      reflectance[surface * n_columns + c] =
-          classes.at(class_of_column[c], zone.surfaces[surface].finish).diffuse;
+    for (std::size_t q = 0; q < n_classes; ++q)
+      reflectances.of_surface[surface * n_classes + q] = classes.at(q, zone.surfaces[surface].finish).diffuse;
   }
-  const bool by_class = direct.n_columns == n_columns;
-  const auto in_columns = [&](const std::vector<double>& values) {
-    return by_class ? values : repeat_columns(values, n_sources, n_classes);
-  };
-  const GatherShine gather_shine{shine, zone, direct.shine, class_of_column};
+  auto cell_direct = Columns<float>::from_rows(direct.cell, direct.n_columns);
+  const auto point_direct = Columns<float>::from_rows(direct.point, direct.n_columns);
+  Solution solution;
+  solution.bands = options.bands;
+  solution.sources = std::move(sources.sources);
+  solution.n_cells = n_kept;
+  solution.n_points = zone.points.size();
+  solution.classes = classes;
+  solution.n_direct_classes = direct.n_columns / n_sources;
+  solution.plan = make_plan(zone, cells, network, lights, classes, shine, n_sources, direct, in_the_way);
+  solution.cell_direct = rows_of_columns(cell_direct, n_kept, n_sources);
+  solution.point_direct = rows_of_columns(point_direct, zone.points.size(), n_sources);
+  solution.directional.direct = rows_of_states(direct.shine.psi, shine.grid(), n_sources, n_columns);
+  solution.mirror_depth = direct.mirror_depth;
+  if (direct.add_followed()) cell_direct = Columns<float>::from_rows(direct.cell, direct.n_columns);
+  const GatherShine gather_shine{shine, zone, direct.shine};
   const auto* shiny = shine.any() ? &gather_shine : nullptr;
-  Gathered gathered = options.solver == Solver::gather
-                          ? gather(network, cells, in_columns(direct.cell), in_columns(direct.point),
-                                   reflectance, n_columns, options.gather, job, shiny)
-                          : track(zone, network, cells, in_columns(direct.cell), in_columns(direct.point),
-                                  reflectance, n_columns, options.track, job, shiny);
+  auto gathered = options.solver == Solver::gather
+                      ? gather(network, cells, cell_direct, point_direct, reflectances, options.gather, job, shiny)
+                      : track(zone, network, cells, cell_direct, point_direct, reflectances, options.track, job,
+                              shiny);
   for (std::size_t c = 0; c < n_columns && shine.any(); ++c) {
     gathered.columns[c].absorbed -= direct.shine.mirrored[c] + direct.shine.not_followed[c];
     gathered.columns[c].dropped += direct.shine.not_followed[c];
     gathered.columns[c].escaped += direct.shine.escaped[c];
+    gathered.columns[c].error_bound += direct.uncertain[c];
   }
 
-  Solution solution;
-  solution.bands = options.bands;
-  solution.classes = classes;
-  solution.sources = std::move(sources.sources);
-  solution.n_cells = cells.size();
-  solution.n_points = zone.points.size();
-  solution.n_direct_classes = by_class ? n_classes : 1;
-  solution.plan =
-      make_plan(zone, cells, network, lights, classes, shine, n_sources, direct.n_images, in_the_way);
-  solution.cell_direct = rows_of_columns(direct.cell, n_sources, direct.n_columns);
-  solution.point_direct = rows_of_columns(direct.point, n_sources, direct.n_columns);
-  solution.cell_total = rows_of_columns(gathered.cell, n_sources, n_columns);
-  solution.point_total = rows_of_columns(gathered.point, n_sources, n_columns);
+  solution.cell_total = rows_of_columns(gathered.cell, n_kept, n_sources);
+  solution.point_total = rows_of_columns(gathered.point, zone.points.size(), n_sources);
   solution.directional.grid = shine.grid();
   solution.directional.cells = shine.off_specular();
-  solution.directional.direct = rows_of_states(direct.shine.psi, shine.grid(), n_sources, n_columns);
   solution.directional.total = rows_of_states(gathered.psi, shine.grid(), n_sources, n_columns);
   add_energy(solution, gathered.columns, flights);
   check_storable(solution);
+  return solution;
+}
+
+}  // namespace
+
+Solution simulate(const Zone& zone, const Cells& cells, const Network& network, const Lights& lights,
+                  const SimulationOptions& options, const Job& job, Warnings& warnings) {
+  const auto room = add_bodies(zone, cells, network, lights, job);
+  if (!room) return simulate_room(zone, cells, network, lights, cells.size(), options, job, warnings);
+  Solution solution = simulate_room(room->zone, room->cells, room->network, room->lights, room->n_zone_cells,
+                                    options, job, warnings);
+  solution.plan.n_bodies = room->n_bodies;
+  solution.plan.n_body_cells = room->cells.size() - room->n_zone_cells;
   return solution;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "base/job.hpp"
 #include "network/network.hpp"
 #include "scene/lights.hpp"
@@ -22,7 +24,9 @@ struct SimulationOptions {
   /// each band even where bands reflect alike.
   bool always_test_visibility = false;
   bool solve_every_band = false;
-  int mirror_depth = 3;  ///< mirrors one after the other that luminaires are imaged in
+  /// Mirrors one after the other that luminaires are imaged in; as many as the tolerance of the iteration
+  /// asks for where it is not given.
+  std::optional<int> mirror_depth;
 };
 
 /// Sends the light of all luminaires through the network.

@@ -1,0 +1,166 @@
+#include "transport/direct_lobes.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+
+namespace dim {
+namespace {
+
+// Paths between a cell and an opening along which light meets a cell, and facets it meets on each.
+constexpr int kPaths = 16;
+constexpr int kFacets = 32;
+
+}  // namespace
+
+// Light on a cell from one direction.
+struct DirectLobes::Coming {
+  std::size_t cell;
+  Vec3 towards;  // where it comes from
+  std::size_t source;
+  const std::vector<double>& lx;  // [n_classes]
+  std::uint64_t stream;
+};
+
+DirectLobes::DirectLobes(const Zone& zone, const Cells& cells, const Network& network,
+                         const ReflectanceClasses& classes, const Shine& shine,
+                         const std::vector<std::size_t>& source_of, std::size_t n_sources,
+                         const std::vector<std::vector<CellLight>>& of_emitters,
+                         const std::vector<std::vector<RayLight>>& of_rays)
+    : zone_(zone),
+      cells_(cells),
+      network_(network),
+      classes_(classes),
+      shine_(shine),
+      source_of_(source_of),
+      n_sources_(n_sources),
+      of_emitters_(of_emitters),
+      of_rays_(of_rays) {}
+
+template <class Reflect>
+std::vector<float> DirectLobes::psi(const Job& job, Reflect&& reflect) const {
+  std::vector<float> result(shine_.n_states() * n_all(), 0.0F);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, shine_.n_off_specular(), 4), [&](const auto& range) {
+    std::vector<double> of_cell;
+    for (std::size_t g = range.begin(); g != range.end() && !job.stopped(); ++g) {
+      of_cell.assign(shine_.grid().n_patches() * n_all(), 0.0);
+      reflect(g, of_cell);
+      std::transform(of_cell.begin(), of_cell.end(),
+                     result.begin() + static_cast<std::ptrdiff_t>(g * of_cell.size()),
+                     [](double x) { return static_cast<float>(x); });
+    }
+  });
+  job.check();
+  return result;
+}
+
+std::vector<float> DirectLobes::psi_of_emitters(const Job& job) const {
+  return psi(job, [&](std::size_t g, std::vector<double>& of_cell) {
+    for (const auto& light : of_emitters_[g]) reflect_emitter(light, of_cell);
+  });
+}
+
+std::vector<float> DirectLobes::psi_of_rays(const Job& job) const {
+  return psi(job, [&](std::size_t g, std::vector<double>& of_cell) {
+    const std::size_t cell = shine_.off_specular()[g];
+    for (std::size_t r = 0; r < of_rays_[g].size(); ++r) {
+      const RayLight& ray = of_rays_[g][r];
+      reflect({cell, -ray.direction, ray.source, ray.lx, mix(g)}, r, of_cell);
+    }
+  });
+}
+
+void DirectLobes::reflect_emitter(const CellLight& light, std::vector<double>& psi) const {
+  const auto paths = paths_of(zone_, cells_, light, kPaths);
+  const auto tints = tints_of(zone_, classes_, *light.emitter, middle_of(zone_, cells_, light.cell));
+  std::vector<double> lx(tints.size());
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    if (!(paths[i].lx > 0.0)) continue;
+    for (std::size_t q = 0; q < tints.size(); ++q) lx[q] = light.lx * paths[i].lx * tints[q];
+    reflect({light.cell, paths[i].towards, source_of_[light.emitter->original], lx,
+             mix(light.cell) ^ stream_of(*light.emitter)},
+            i, psi);
+  }
+}
+
+// From the exact direction of the light, facet by facet, into patches; scaled to the exact albedo.
+void DirectLobes::reflect(const Coming& coming, std::size_t index, std::vector<double>& psi) const {
+  const Surface& surface = zone_.surfaces[cells_.surface_of(coming.cell)];
+  Vec3 in = surface.polygon.frame().direction_to_local(coming.towards);
+  in.z = std::max(in.z, 1e-9);
+  const LowDiscrepancy4 chance(coming.stream);
+  std::array<FacetSample, kFacets> facets;
+  for (std::uint64_t f = 0; f < kFacets; ++f) {
+    const auto x = chance(index * kFacets + f);
+    facets[f] = sample_facet(shine_.facets(surface.finish), in, x[0], x[1]);
+  }
+  for (std::size_t q = 0; q < classes_.size(); ++q) {
+    const auto& reflection = classes_.at(q, surface.finish);
+    std::array<double, kFacets> share{};
+    double sum = 0.0;
+    for (std::size_t f = 0; f < kFacets; ++f) {
+      if (facets[f].weight > 0.0) share[f] = facets[f].weight * reflection.fresnel(facets[f].facing);
+      sum += share[f];
+    }
+    if (!(sum > 0.0)) continue;
+    const double scale = coming.lx[q] * shine_.albedo(q, surface.finish).at(in.z) / sum;
+    const std::size_t column = q * n_sources_ + coming.source;
+    for (std::size_t f = 0; f < kFacets; ++f) {
+      if (share[f] > 0.0) psi[shine_.grid().patch_of(facets[f].out) * n_all() + column] += scale * share[f];
+    }
+  }
+}
+
+std::vector<double> DirectLobes::at_points(const std::vector<float>& psi_of_rays, const Job& job) const {
+  std::vector<double> result(zone_.points.size() * n_all(), 0.0);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, zone_.points.size(), 1), [&](const auto& range) {
+    for (std::size_t p = range.begin(); p != range.end() && !job.stopped(); ++p)
+      see(p, psi_of_rays, &result[p * n_all()]);
+  });
+  job.check();
+  return result;
+}
+
+void DirectLobes::see(std::size_t point, const std::vector<float>& psi_of_rays, double* columns) const {
+  const PatchGrid& patches = network_.point_patches;
+  const auto n_sectors = static_cast<std::size_t>(patches.n_sectors);
+  const RowRays rays(zone_, point, network_.sampling, network_.seed);
+  for (std::size_t patch = 0; patch < patches.n_patches(); ++patch) {
+    const std::size_t sink = network_.point_sinks.at(point, patch);
+    if (sink >= cells_.size() || shine_.of_cell(sink) != Shininess::off_specular) continue;
+    const auto g = static_cast<std::size_t>(shine_.index_of(sink));
+    const Ray ray = rays.ray(patches, patch);
+    const double w = patches.weight_sr(static_cast<int>(patch / n_sectors));
+    for (const auto& light : of_emitters_[g]) see(ray, light, mix(patch), w, columns);
+    if (psi_of_rays.empty()) continue;
+    const std::size_t seen = shine_.states().patch_in(sink, ray.direction);
+    const auto slice = static_cast<int>(seen / static_cast<std::size_t>(shine_.grid().n_sectors));
+    const float* psi = &psi_of_rays[(g * shine_.grid().n_patches() + seen) * n_all()];
+    for (std::size_t c = 0; c < n_all(); ++c)
+      columns[c] += w / shine_.grid().weight_sr(slice) * static_cast<double>(psi[c]);
+  }
+}
+
+void DirectLobes::see(const Ray& ray, const CellLight& light, std::uint64_t stream, double w,
+                      double* columns) const {
+  const auto s = cells_.surface_of(light.cell);
+  Frame frame = zone_.surfaces[s].polygon.frame();
+  frame.origin = ray.from - frame.height(ray.from) / glm::dot(ray.direction, frame.n) * ray.direction;
+  Vec3 out = -frame.direction_to_local(ray.direction);
+  out.z = std::max(out.z, 1e-9);
+  const Receiver receiver = point_receiver(frame, static_cast<int>(s), 0);
+  const auto path = light.integrator->path(receiver,
+                                           LowDiscrepancy4(stream_of(*light.emitter))(stream));
+  if (!(path.lx > 0.0)) return;
+  const Vec3 in = frame.direction_to_local(path.towards);
+  const auto tints = tints_of(zone_, classes_, *light.emitter, frame.origin);
+  const int finish = zone_.surfaces[s].finish;
+  const double lx = w * light.emitter->luminaire.factor * path.lx;
+  for (std::size_t q = 0; q < tints.size(); ++q)
+    columns[q * n_sources_ + source_of_[light.emitter->original]] +=
+        lx * tints[q] * specular_brdf(classes_.at(q, finish), shine_.facets(finish), in, out);
+}
+
+}  // namespace dim
