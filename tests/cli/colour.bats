@@ -111,12 +111,12 @@ LAMPS
 
 @test "of few bands in a coloured room they are left empty" {
   dimdis room.zone.toml -q --patches 64 --set 'finishes.light={diffuse=[[380,0.1],[560,0.1],[620,0.7],[780,0.8]]}' -o red.rays
-  dimray red.rays room.lights.toml -q -o x.lum --bands 1 --set luminaire.P.spectrum=led-2800 || [ $? -eq 1 ]
-  run --separate-stderr dimout colour x.lum --json
+  dimray red.rays room.lights.toml -q -o few.lum --bands 1 --set luminaire.P.spectrum=led-2800 || [ $? -eq 1 ]
+  run --separate-stderr dimout colour few.lum --json
   [[ "$stderr" =~ "1 waveband: colours within dE00 "[0-9.]+", luminances within "[0-9.]+" %: too few for colour temperature" ]]
   jq -e 'all(.cct_K == null and .ra == null and .melanopic_edi_lx == null and .illuminance_lx > 0)' <<< "$output" > /dev/null
-  refused 3 "x.lum: source 'spot' cannot be given another spectrum: .* one waveband" dimout grid x.lum --spectrum spot=d65
-  rm x.lum
+  refused 3 "few.lum: source 'spot' cannot be given another spectrum: .* one waveband" dimout grid few.lum --spectrum spot=d65
+  rm few.lum
 }
 
 @test "another spectrum needs no new solution" {
@@ -131,7 +131,7 @@ LAMPS
   printf '# lamp\nnm,power\n400,0\n500,20\n600,150\n700,40\n' > lamp.csv
   dimout grid before.lum --spectrum spot=lamp.csv | cmp - <(dimout grid before.lum --spectrum 'spot=[[400,0],[500,2],[600,15],[700,4]]')
   refused 3 "no source or group 'P' for --spectrum" dimout grid lit.lum --spectrum P=d65
-  refused 3 "did you mean 'd65'" dimout grid lit.lum --spectrum spot=d56
+  refused 3 "did you mean 'd5" dimout grid lit.lum --spectrum spot=d56
   refused 2 "NAME=SPECTRUM" dimout grid lit.lum --spectrum spot
   refused 4 "nothing.csv: cannot read" dimout grid lit.lum --spectrum spot=nothing.csv
 }

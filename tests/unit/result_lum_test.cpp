@@ -226,7 +226,7 @@ TEST_CASE("A forged luminance database is refused by the name of what is wrong",
   tells("efficacy_lm_W", [](Json& j) { j["sources"][0]["weights"]["efficacy_lm_W"] = 0.0; });
   tells("sources[0].flux_lm is -1", [](Json& j) { j["sources"][0]["flux_lm"] = -1.0; });
   tells("sources[0].name", [](Json& j) { j["sources"][0]["name"] = 3; });
-  tells("sources", [](Json& j) { j["sources"] = Json::array(); });
+  tells("source", [](Json& j) { j["sources"] = Json::array(); });
   tells("2 sources", [](Json& j) { j["sources"].push_back(j["sources"][0]); });
 }
 
