@@ -100,8 +100,15 @@ Exit report(Program& program, const Solution& solution, const EndOfBounces& end)
   program.say(
       end.tracked
           ? fmt::format("inter-reflection tracked, {:.2g} % of the light dropped", 100.0 * sum.residual)
-          : fmt::format("inter-reflection cut after {} iterations, error at most {:.2g} % of a source's mean",
-                        sum.iterations, 100.0 * sum.error_bound));
+      : std::isfinite(sum.error_bound)
+          ? fmt::format("inter-reflection cut after {} iterations, error at most {:.2g} % of a source's mean",
+                        sum.iterations, 100.0 * sum.error_bound)
+          : fmt::format("inter-reflection cut after {} iterations", sum.iterations));
+  if (!std::isfinite(sum.error_bound)) {
+    program.say("there is no bound of its error: surfaces reflect all but what the network's own imbalance is; "
+                "use lower reflectances, or more --patches with dimdis");
+    return Exit::check_failed;
+  }
   if ((!end.tracked && !(sum.residual <= end.tolerance)) ||
       !(solution.plan.images_uncertain <= end.tolerance)) {
     program.say("the accuracy asked for was not reached");
