@@ -72,7 +72,7 @@ SolveCommand::SolveCommand(Program& program) : program_(program) {
                  "What is solved and stored apart: each luminaire, group, or all as one")
       ->check(CLI::IsMember({"each", "group", "all"}))
       ->group("Accuracy");
-  app.add_option("--tolerance", tolerance_, "Stop when no cell changes by more than this share of the mean")
+  app.add_option("--tolerance", tolerance_, "Stop when a reflection changes no cell by more than this share of its own")
       ->check(number_within(1e-12, 0.5))
       ->type_name("SHARE")
       ->group("Accuracy");
