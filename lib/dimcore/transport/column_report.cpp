@@ -37,7 +37,6 @@ class Reporter {
       reports_[c].escaped = sum(kEscaped);
       reports_[c].dropped = sum(kDropped);
       reports_[c].unbalanced = sum(kLost);
-      reports_[c].cut = propagation_.cut_off() * sum(kSent);
     }
     ShineState* shine = propagation_.shine();
     if (!shine) return;
@@ -46,6 +45,7 @@ class Reporter {
       reports_[c].absorbed -= power.reflected[c];
       reports_[c].escaped += power.escaped[c];
       reports_[c].dropped += power.in_flight[c];
+      reports_[c].cut = power.cut[c];
     }
   }
 

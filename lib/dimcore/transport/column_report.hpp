@@ -16,7 +16,8 @@ struct ColumnReport {
   int iterations = 0;     ///< reflections through the network
   double residual = 0.0;  ///< largest last change of a reflecting cell over its own irradiance, see options
   /// Bound of what is left out, over the column's mean irradiance of lit cells. Of the worst cell; with lobes
-  /// of the mean over cells of absolute errors (see `Contraction`). Infinite where there is no bound.
+  /// of the mean over cells of absolute errors (see `Contraction`), as is the part of it that is `cut`. Infinite
+  /// where there is no bound.
   double error_bound = 0.0;
   double local_error_bound = 0.0;  ///< of the worst cell over its own irradiance; infinite with lobes
   double received = 0.0;           ///< direct, on cells
@@ -24,7 +25,7 @@ struct ColumnReport {
   double escaped = 0.0;            ///< reflected out of the zone or onto backs
   double dropped = 0.0;            ///< the last change's reflections, not followed; either sign
   double unbalanced = 0.0;         ///< lost by the network, whose columns and rows differ a little; either sign
-  double cut = 0.0;                ///< what mirrors may have reflected beyond the last that was followed, at most
+  double cut = 0.0;                ///< of dropped, what was not followed any more from mirror to mirror
 };
 
 /// The last reflection of a block of columns, whose result is final.

@@ -278,41 +278,9 @@ Gathered<Real> gather(const Network& network, const Cells& cells, const Columns<
   return result;
 }
 
-template <class Real>
-Columns<Real> gather_points(const Network& network, const Cells& cells, const Columns<Real>& cell,
-                            const std::vector<float>& psi, const Columns<Real>& point_direct,
-                            const Reflectances& reflectances, const GatherShine* shine) {
-  Columns<Real> point(network.point_sinks.n_rows(), cell.n_columns());
-  if (point.n_rows() == 0) return point;
-  for (std::size_t first = 0; first < cell.n_columns(); first += kMaxColumns) {
-    const std::size_t n = std::min(kMaxColumns, cell.n_columns() - first);
-    Propagation propagation(network, cells, reflectances, first, n, shine);
-    if (propagation.shine()) propagation.shine()->set_psi(psi);
-    const std::size_t width = propagation.width();
-    std::vector<double> irradiance(cells.size() * width, 0.0);
-    for (std::size_t c = 0; c < n; ++c) {
-      const auto column = cell.column(first + c);
-      for (std::size_t i = 0; i < cells.size(); ++i) irradiance[i * width + c] = static_cast<double>(column[i]);
-    }
-    const auto arriving = propagation.to_points(irradiance);
-    for (std::size_t c = 0; c < n; ++c) {
-      const auto direct = point_direct.column((first + c) % point_direct.n_columns());
-      const auto column = point.column(first + c);
-      for (std::size_t p = 0; p < point.n_rows(); ++p)
-        column[p] = static_cast<Real>(static_cast<double>(direct[p]) + arriving[p * width + c]);
-    }
-  }
-  return point;
-}
-
-#define DIM_INSTANTIATE(Real)                                                                             \
-  template Gathered<Real> gather(const Network&, const Cells&, const Columns<Real>&, const Columns<Real>&, \
-                                 const Reflectances&, const GatherOptions&, const Job&, const GatherShine*); \
-  template Columns<Real> gather_points(const Network&, const Cells&, const Columns<Real>&,                 \
-                                       const std::vector<float>&, const Columns<Real>&, const Reflectances&, \
-                                       const GatherShine*);
-DIM_INSTANTIATE(float)
-DIM_INSTANTIATE(double)
-#undef DIM_INSTANTIATE
+template Gathered<float> gather(const Network&, const Cells&, const Columns<float>&, const Columns<float>&,
+                                const Reflectances&, const GatherOptions&, const Job&, const GatherShine*);
+template Gathered<double> gather(const Network&, const Cells&, const Columns<double>&, const Columns<double>&,
+                                 const Reflectances&, const GatherOptions&, const Job&, const GatherShine*);
 
 }  // namespace dim

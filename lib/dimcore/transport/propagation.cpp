@@ -31,7 +31,6 @@ Propagation::Propagation(const Network& network, const Cells& cells, const Refle
                  reflectances.n_columns(), first, n, width_);
   has_mirrors_ = shine->shine.has_mirrors();
   has_lobes_ = shine->shine.n_states() > 0;
-  cut_off_ = shine->shine.cut_off();
 }
 
 const std::vector<double>& Propagation::emit(const std::vector<double>& irradiance) {

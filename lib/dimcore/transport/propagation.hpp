@@ -53,8 +53,6 @@ class Propagation {
   ShineState* shine() { return shine_ ? &*shine_ : nullptr; }
   bool has_mirrors() const { return has_mirrors_; }
   bool has_lobes() const { return has_lobes_; }
-  /// Share of rays, by weight, that were not followed beyond the last mirror.
-  double cut_off() const { return cut_off_; }
 
   /// What cells of these irradiances send by diffuse reflection: rho * irradiance with the network's column
   /// scales, [n_cells + 1, width]. Stays until the next call of a function that is not const.
@@ -82,7 +80,6 @@ class Propagation {
   std::vector<double> exitance_;  // [n_cells + 1, width]
   std::optional<ShineState> shine_;
   bool has_mirrors_ = false, has_lobes_ = false;
-  double cut_off_ = 0.0;
 };
 
 }  // namespace dim

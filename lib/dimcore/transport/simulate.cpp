@@ -195,6 +195,8 @@ Solution simulate_room(const Zone& zone, const Cells& cells, const Network& netw
 
   solution.cell_total = rows_of_columns(gathered.cell, n_kept, n_sources);
   solution.point_total = rows_of_columns(gathered.point, zone.points.size(), n_sources);
+  solution.counters["reflections"] = static_cast<double>(gathered.counts.reflections);
+  solution.counters["link_columns"] = static_cast<double>(gathered.counts.link_columns);
   solution.directional.grid = shine.grid();
   solution.directional.cells = shine.off_specular();
   solution.directional.total = rows_of_states(gathered.psi, shine.grid(), n_sources, n_columns);
