@@ -69,6 +69,18 @@ std::string described(const std::function<void(nlohmann::json&)>& change, const 
 
 }  // namespace
 
+TEST_CASE("A result without a bound of its error is read as one", "[result][unit]") {
+  const Folder folder;
+  const Zone zone = lit_zone();
+  const Lights lights = two_lamps();
+  Solution solution = solve(zone, lights, network_of(zone, {4, 6}), three_bands());
+  solution.sources[1].error_bound = std::numeric_limits<double>::infinity();
+  save_lum(folder / "a.lum", zone, Cells(zone), lights, solution, "abc");
+  const LuminanceDatabase database(folder / "a.lum");
+  CHECK(database.sources()[0].error_bound == solution.sources[0].error_bound);
+  CHECK(std::isinf(database.sources()[1].error_bound));
+}
+
 TEST_CASE("A luminance database gives back what was solved", "[result][unit]") {
   const Folder folder;
   const Zone zone = lit_zone();

@@ -53,6 +53,10 @@ double JsonEntry::number(double low, double high) const {
   return value;
 }
 
+double JsonEntry::bound() const {
+  return json_.is_null() ? std::numeric_limits<double>::infinity() : number(0.0);
+}
+
 double JsonEntry::positive() const {
   const double value = number(0.0);
   if (!(value > 0.0)) fail("is 0, expected more");

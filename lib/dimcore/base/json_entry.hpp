@@ -35,6 +35,8 @@ class JsonEntry {
   bool flag() const;
   /// A finite number. Open ends are never reached.
   double number(double low = -HUGE_VAL, double high = HUGE_VAL) const;
+  /// Not negative; null, which JSON writes for it, is infinity: no bound.
+  double bound() const;
   double positive() const;
   int integer(int low, int high) const;
   /// Below `n`.

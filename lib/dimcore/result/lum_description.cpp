@@ -73,7 +73,7 @@ Source source_from(const JsonEntry& entry, std::size_t n_bands) {
   }
   source.iterations = entry["iterations"].integer(0, std::numeric_limits<int>::max());
   source.residual = entry["residual"].number(0.0);
-  source.error_bound = entry["error_bound"].number(0.0);
+  source.error_bound = entry["error_bound"].bound();
   return source;
 }
 
