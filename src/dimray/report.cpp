@@ -100,16 +100,6 @@ Exit report(Program& program, const Solution& solution, const EndOfBounces& end)
   program.say(
       end.tracked
           ? fmt::format("inter-reflection tracked, {:.2g} % of the light dropped", 100.0 * sum.residual)
-<<<<<<< HEAD
-          : fmt::format("inter-reflection cut after {} iterations, error at most {:.2g} % of a source's mean",
-                        sum.iterations, 100.0 * sum.error_bound));
-  const double uncertain = solution.plan.images_uncertain;
-  if (!(uncertain <= end.tolerance))
-    program.say(
-        fmt::format("images in mirrors deeper than those made leave light at points uncertain by {:.2g} %",
-                    100.0 * uncertain));
-  if ((!end.tracked && !(sum.residual <= end.tolerance)) || !(uncertain <= end.tolerance)) {
-=======
       : std::isfinite(sum.error_bound)
           ? fmt::format("inter-reflection cut after {} iterations, error at most {:.2g} % of a source's mean",
                         sum.iterations, 100.0 * sum.error_bound)
@@ -119,9 +109,12 @@ Exit report(Program& program, const Solution& solution, const EndOfBounces& end)
                 "use lower reflectances, or more --patches with dimdis");
     return Exit::check_failed;
   }
-  if ((!end.tracked && !(sum.residual <= end.tolerance)) ||
-      !(solution.plan.images_uncertain <= end.tolerance)) {
->>>>>>> main
+  const double uncertain = solution.plan.images_uncertain;
+  if (!(uncertain <= end.tolerance))
+    program.say(
+        fmt::format("images in mirrors deeper than those made leave light at points uncertain by {:.2g} %",
+                    100.0 * uncertain));
+  if ((!end.tracked && !(sum.residual <= end.tolerance)) || !(uncertain <= end.tolerance)) {
     program.say("the accuracy asked for was not reached");
     return Exit::check_failed;
   }
