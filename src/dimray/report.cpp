@@ -109,8 +109,12 @@ Exit report(Program& program, const Solution& solution, const EndOfBounces& end)
                 "use lower reflectances, or more --patches with dimdis");
     return Exit::check_failed;
   }
-  if ((!end.tracked && !(sum.residual <= end.tolerance)) ||
-      !(solution.plan.images_uncertain <= end.tolerance)) {
+  const double uncertain = solution.plan.images_uncertain;
+  if (!(uncertain <= end.tolerance))
+    program.say(
+        fmt::format("images in mirrors deeper than those made leave light at points uncertain by {:.2g} %",
+                    100.0 * uncertain));
+  if ((!end.tracked && !(sum.residual <= end.tolerance)) || !(uncertain <= end.tolerance)) {
     program.say("the accuracy asked for was not reached");
     return Exit::check_failed;
   }

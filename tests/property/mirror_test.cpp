@@ -1,4 +1,6 @@
 // Direct light by way of mirrors against sums over images that share no code with the program.
+#include <tbb/global_control.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -10,7 +12,6 @@
 #include "reflection/specular.hpp"
 #include "transport/emitter.hpp"
 #include "transport/image_series.hpp"
-#include "unit/files_support.hpp"
 
 using namespace dim;
 using namespace dim::test;
@@ -494,6 +495,9 @@ TEST_CASE("A tail of images is told within what is said to be uncertain", "[mirr
 TEST_CASE("Energy closes with mirrors that something stands between", "[mirror][property]") {
   Zone zone = room(kSize, 0.5);
   for (const int face : {kX0, kX1, kY1}) make_mirror_of(zone, face, 0.92);
+  finish_of(zone, kX0).specular_reflectance = SpectralCurve({{400, 0.6}, {550, 0.8}, {700, 0.95}});
+  finish_of(zone, kX1).diffuse = SpectralCurve(0.3);
+  finish_of(zone, kX1).specular = 0.7;
   add_box(zone, "block", {1.5, 1.2, 0}, {2.4, 2.0, 1.1}, 0, 0.5, true);
   Lights lights = point_lamp({1, 1.3, 2.0}, 100.0);
   add_lamp(lights, "panel", {2.6, 2.9, 2.9}, IntensityTable::lambertian(100.0),
@@ -501,6 +505,47 @@ TEST_CASE("Energy closes with mirrors that something stands between", "[mirror][
   finish_of(zone, kFloor).specular = GENERATE(0.0, 0.5);
   finish_of(zone, kFloor).roughness = 0.25;
   finish_of(zone, kFloor).ior = SpectralCurve(1.8);
-  const auto solution = solve(zone, lights, network_of(zone, {16, 32}));
+  SimulationOptions options;
+  options.bands = Bands::uniform(3);
+  options.mirror_depth = GENERATE(std::optional<int>(), std::optional<int>(1));
+  const auto solution = solve(zone, lights, network_of(zone, {16, 32}), options);
+  CHECK(solution.plan.n_mirror_rays > 0);
   CHECK(worst_imbalance(solution) < 2e-3);
+}
+
+TEST_CASE("Images and what follows them give the same bits on any number of threads", "[mirror][property]") {
+  const auto run = [](std::size_t n_threads) {
+    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, n_threads);
+    Zone zone = room(kSize, 0.4);
+    for (const int face : {kX0, kX1, kY1}) make_mirror_of(zone, face, 0.9);
+    finish_of(zone, kFloor).specular = 0.3;
+    finish_of(zone, kFloor).roughness = 0.25;
+    finish_of(zone, kFloor).ior = SpectralCurve(1.8);
+    add_points(zone);
+    Lights lights = point_lamp({1, 1.3, 2.0}, 100.0);
+    add_lamp(lights, "panel", {2.6, 2.9, 2.9}, IntensityTable::lambertian(100.0),
+             {.opening = rectangle(0.6, 0.6)});
+    return solve(zone, lights, network_of(zone, {8, 16}));
+  };
+  const auto one = run(1), many = run(4);
+  CHECK(one.cell_total == many.cell_total);
+  CHECK(one.point_total == many.point_total);
+  CHECK(one.directional.total == many.directional.total);
+}
+
+TEST_CASE("What mirrors bring of a source does not depend on other sources", "[mirror][property]") {
+  Zone zone = room(kSize, 0.0);
+  for (const int face : {kX0, kX1, kY1}) make_mirror_of(zone, face, 0.9);
+  add_points(zone);
+  const Network network = network_of(zone, {4, 8});
+  const auto panel = [](Lights& lights) {
+    add_lamp(lights, "panel", {2.6, 2.9, 2.9}, IntensityTable::lambertian(100.0),
+             {.opening = rectangle(0.6, 0.6)});
+  };
+  Lights alone, company = point_lamp({1, 1.3, 2.0}, 5000.0);
+  panel(alone);
+  panel(company);
+  const auto a = solve(zone, alone, network), b = solve(zone, company, network);
+  CHECK(cell_lx(a) == cell_lx(b, 1));
+  CHECK(point_lx(a) == point_lx(b, 1));
 }

@@ -12,6 +12,40 @@ namespace dim {
 namespace {
 
 constexpr std::size_t kMostImages = 1'000'000;
+constexpr std::size_t kMostLimits = 16;  // of a beam: cells are cut by them
+
+// Points where the path from a receiver to an image meets its mirrors, last mirror first.
+class MetMirrors {
+ public:
+  /// @returns false where it misses one
+  bool find(const Zone& zone, const Emitter& emitter, const Vec3& receiver, const Vec3& on_image) {
+    n_ = 0;
+    if (emitter.mirrors.size() > few_.size()) many_.resize(emitter.mirrors.size());
+    Vec3* met = many_.empty() ? few_.data() : many_.data();
+    Vec3 from = receiver;
+    source_ = on_image;
+    for (auto mirror = emitter.mirrors.rbegin(); mirror != emitter.mirrors.rend(); ++mirror) {
+      const auto& polygon = zone.surfaces[static_cast<std::size_t>(*mirror)].polygon;
+      const double before = polygon.frame().height(from), behind = polygon.frame().height(source_);
+      if (!(before > 0.0) || !(behind < 0.0)) return false;
+      from += (before / (before - behind)) * (source_ - from);
+      if (!polygon.contains(polygon.frame().to_local(from))) return false;
+      met[n_++] = from;
+      source_ = mirrored(zone, *mirror, source_);
+    }
+    return true;
+  }
+  std::size_t size() const { return n_; }
+  const Vec3& operator[](std::size_t i) const { return many_.empty() ? few_[i] : many_[i]; }
+  /// Where the path begins, on the luminaire itself.
+  const Vec3& source() const { return source_; }
+
+ private:
+  std::array<Vec3, 16> few_;
+  std::vector<Vec3> many_;
+  Vec3 source_{0.0};
+  std::size_t n_ = 0;
+};
 
 const Frame& frame_of(const Zone& zone, int surface) {
   return zone.surfaces[static_cast<std::size_t>(surface)].polygon.frame();
@@ -77,14 +111,18 @@ std::vector<Emitter> own_emitters(const Lights& lights, bool in_the_way) {
   for (std::size_t l = 0; l < lights.luminaires.size(); ++l) {
     const auto& luminaire = lights.luminaires[l];
     const auto& fitting = lights.fittings[static_cast<std::size_t>(luminaire.fitting)];
-    emitters.push_back({luminaire, &fitting, l, {}, beam_of(luminaire, fitting), in_the_way});
+    emitters.push_back({luminaire, &fitting, l, {}, beam_of(luminaire, fitting), in_the_way, true});
   }
   return emitters;
 }
 
 MirrorImages::MirrorImages(const Zone& zone, const std::vector<int>& mirrors) : zone_(zone) {
-  for (const int mirror : mirrors)
-    mirrors_.push_back({mirror, hull_of(zone.surfaces[static_cast<std::size_t>(mirror)].polygon)});
+  constexpr double kConvex = 1e-9;
+  for (const int mirror : mirrors) {
+    const Polygon& polygon = zone.surfaces[static_cast<std::size_t>(mirror)].polygon;
+    const Ring3 hull = hull_of(polygon);
+    mirrors_.push_back({mirror, hull, 0.5 * glm::length(newell(hull)) < (1.0 + kConvex) * polygon.area_m2()});
+  }
 }
 
 std::vector<Emitter> MirrorImages::of(const Emitter& emitter) const {
@@ -99,6 +137,10 @@ std::vector<Emitter> MirrorImages::of(const Emitter& emitter) const {
     const auto& luminaire = images.back().luminaire;
     auto& beam = images.back().beam;
     beam = beam_through(aperture, frame_of(zone_, mirror.surface).n, corners_of(luminaire));
+    // Of more limits some are let go, which widens the beam.
+    images.back().beam_is_tight =
+        emitter.beam_is_tight && mirror.is_convex && beam.limits.size() <= kMostLimits;
+    beam.limits.resize(std::min(beam.limits.size(), kMostLimits));
     const Beam forwards = beam_of(luminaire, *emitter.fitting);
     beam.limits.insert(beam.limits.end(), forwards.limits.begin(), forwards.limits.end());
   }
@@ -143,29 +185,25 @@ std::vector<Emitter> make_emitters(const Zone& zone, const Lights& lights, const
 bool path_blocked(const Zone& zone, const RayCaster& caster, const Emitter& emitter, const Vec3& receiver,
                   const Vec3& on_image, int skip) {
   // Where the path meets the mirrors is quickly told and fails most often; legs are cast after.
-  constexpr std::size_t kUsual = 16;
-  std::array<Vec3, kUsual> few;
-  std::vector<Vec3> many(emitter.mirrors.size() > kUsual ? emitter.mirrors.size() : 0);
-  Vec3* met = many.empty() ? few.data() : many.data();
-  Vec3 from = receiver, to = on_image;
-  std::size_t n = 0;
-  for (auto mirror = emitter.mirrors.rbegin(); mirror != emitter.mirrors.rend(); ++mirror) {
-    const auto& polygon = zone.surfaces[static_cast<std::size_t>(*mirror)].polygon;
-    const double before = polygon.frame().height(from), behind = polygon.frame().height(to);
-    if (!(before > 0.0) || !(behind < 0.0)) return true;
-    from += (before / (before - behind)) * (to - from);
-    if (!polygon.contains(polygon.frame().to_local(from))) return true;
-    met[n++] = from;
-    to = mirrored(zone, *mirror, to);
-  }
+  MetMirrors met;
+  if (!met.find(zone, emitter, receiver, on_image)) return true;
   if (!emitter.in_the_way) return false;
-  from = receiver;
-  for (std::size_t m = 0; m < n; ++m) {
+  Vec3 from = receiver;
+  for (std::size_t m = 0; m < met.size(); ++m) {
     if (caster.blocked(from, met[m], skip)) return true;
     from = met[m];
-    skip = emitter.mirrors[n - 1 - m];
+    skip = emitter.mirrors[met.size() - 1 - m];
   }
-  return caster.blocked(from, to, skip);
+  return caster.blocked(from, met.source(), skip);
+}
+
+bool mirrors_pass_all(const Zone& zone, const Emitter& emitter, std::span<const Vec3> receiver,
+                      std::span<const Vec3> on_image) {
+  MetMirrors met;
+  return emitter.beam_is_tight && std::all_of(receiver.begin(), receiver.end(), [&](const Vec3& p) {
+           return std::all_of(on_image.begin(), on_image.end(),
+                              [&](const Vec3& q) { return met.find(zone, emitter, p, q); });
+         });
 }
 
 }  // namespace dim

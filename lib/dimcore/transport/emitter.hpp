@@ -24,6 +24,9 @@ struct Emitter {
   std::vector<int> mirrors;  ///< surfaces, from the light to the receiver; empty: the luminaire itself
   Beam beam;                 ///< where its light can be: for receivers outside there is nothing to test
   bool in_the_way = true;    ///< false where nothing can stand between two points of the zone
+  /// The beam's limits are the mirrors' own edges, since these are convex: from a point source, light is
+  /// everywhere within.
+  bool beam_is_tight = true;
 };
 
 /// The luminaires themselves.
@@ -46,6 +49,7 @@ class MirrorImages {
   struct Mirror {
     int surface;
     Ring3 hull;
+    bool is_convex;
   };
   std::vector<Emitter> of(const Emitter& emitter) const;
 
@@ -61,6 +65,11 @@ std::vector<Emitter> make_emitters(const Zone& zone, const Lights& lights, const
 
 /// The point mirrored in a surface's plane.
 Vec3 mirrored(const Zone& zone, int surface, const Vec3& point);
+
+/// Whether every path from a convex receiver to a convex opening goes through all of the emitter's mirrors:
+/// where these are convex, those between the corners tell. False where that is not certain.
+bool mirrors_pass_all(const Zone& zone, const Emitter& emitter, std::span<const Vec3> receiver,
+                      std::span<const Vec3> on_image);
 
 /// Whether the path from `receiver` to `on_image` (a point of the emitter's opening, where the image has it)
 /// misses one of the mirrors or is blocked.

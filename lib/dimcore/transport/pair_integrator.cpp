@@ -44,10 +44,11 @@ PairIntegrator::PairIntegrator(const Zone& zone, const RayCaster& caster, const 
       luminaire_(emitter.luminaire),
       fitting_(*emitter.fitting),
       options_(options),
-      test_visibility_(options.in_the_way || !emitter.mirrors.empty()),
+      test_paths_(options.in_the_way || !emitter.mirrors.empty()),
       stream_(mix(place_key(emitter.luminaire.at, emitter.luminaire.aim, zone.diameter_m))),
       opening_(opening_region(emitter.luminaire)),
       beam_(kNear) {
+  test_visibility_ = test_paths_ && (options.in_the_way || !emitter.beam_is_tight || opening_.ring.size() > 1);
   // A beam must not fall between the points: parts are to be small against its width, too.
   const auto& light = fitting_.intensity;
   if (light.max_cd() > 0.0) beam_ = std::min(kNear, 0.6 * std::sqrt(light.flux_lm() / (kPi * light.max_cd())));
@@ -71,7 +72,7 @@ std::array<PairIntegrator::Side, 2> PairIntegrator::halves(const Side& whole) {
   return parts;
 }
 
-// The part of the cell before the opening (where that emits forwards only) and of the opening before the cell.
+// The part of the cell within the emitter's beam and of the opening before the cell.
 bool PairIntegrator::clip(const Receiver& receiver, Side& cell, Side& opening) const {
   const Frame& frame = *receiver.frame;
   const ConvexRing above = opening_.ring.front_of(frame.n, glm::dot(frame.n, receiver.ring[0]));
@@ -81,14 +82,13 @@ bool PairIntegrator::clip(const Receiver& receiver, Side& cell, Side& opening) c
   if (!(highest_m > caster_.tolerance_m())) return false;
   opening = side(above, above.measure() / opening_.measure);
   if (!(opening.share > 0.0)) return false;
-  if (!fitting_.intensity.zero_behind() || luminaire_.opening.shape == OpeningShape::kVerticalEllipse) {
-    cell = side(receiver.ring, 1.0);
-    return true;
+  ConvexRing lit = receiver.ring;
+  for (const auto& limit : emitter_.beam.limits) {
+    lit = lit.front_of(limit.normal, limit.offset);
+    if (lit.empty()) return false;
   }
-  const ConvexRing before = receiver.ring.front_of(luminaire_.aim, glm::dot(luminaire_.aim, luminaire_.at));
-  if (before.empty()) return false;
   const double whole = receiver.ring.measure();
-  cell = side(before, whole > 0.0 ? before.measure() / whole : 1.0);
+  cell = side(lit, whole > 0.0 ? lit.measure() / whole : 1.0);
   return cell.share > 0.0;
 }
 
@@ -104,6 +104,9 @@ DirectEstimate PairIntegrator::mean(const Receiver& receiver, PlatesBetween& bet
   const double lines = std::max(2.0, options_.shadow_lines * importance);
   const bool ray = receiver.is_point() && opening.ring.size() == 1;
   if (ray) return {blocked(receiver.ring[0], opening.ring[0], receiver.skip) ? 0.0 : free_lx, 0.0};
+  if (!options_.in_the_way && mirrors_pass_all(zone_, emitter_, {cell.ring.begin(), cell.ring.end()},
+                                               {opening_.bounds.begin(), opening_.bounds.end()}))
+    return {free_lx, 0.0};
   const bool beam = beam_ < kNear;
   if ((lines < kFewLines && !beam) || !emitter_.mirrors.empty())
     return by_rays(pair, free_lx, static_cast<int>(std::ceil(lines)), receiver.skip, chance);
@@ -245,7 +248,7 @@ PairIntegrator::Path PairIntegrator::path(const Receiver& receiver, const std::a
     path.at = receiver.ring[0];
     path.towards = glm::normalize(q - path.at);
     const double lx = illuminance(frame.n, path.at, q);
-    if (lx > 0.0 && !(test_visibility_ && blocked(path.at, q, receiver.skip))) path.lx = lx;
+    if (lx > 0.0 && !(test_paths_ && blocked(path.at, q, receiver.skip))) path.lx = lx;
     return path;
   }
   if (frame.height(q) <= caster_.tolerance_m()) return path;
@@ -261,7 +264,7 @@ PairIntegrator::Path PairIntegrator::path(const Receiver& receiver, const std::a
   path.towards = glm::normalize(q - path.at);
   if (receiver.ring.distance_m(path.at) > caster_.tolerance_m()) return path;
   const double cd = fitting_.intensity.at(luminaire_.to_local(path.at - q));
-  if (cd > 0.0 && !(test_visibility_ && blocked(path.at, q, receiver.skip)))
+  if (cd > 0.0 && !(test_paths_ && blocked(path.at, q, receiver.skip)))
     path.lx = cd * seen.solid_angle_sr() / receiver.ring.area_m2();
   return path;
 }

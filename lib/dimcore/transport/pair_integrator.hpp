@@ -114,7 +114,8 @@ class PairIntegrator {
   const Luminaire& luminaire_;
   const Fitting& fitting_;
   PairOptions options_;
-  bool test_visibility_;
+  bool test_paths_;       // one by one
+  bool test_visibility_;  // of what is left of a receiver within the beam
   std::uint64_t stream_;
   OpeningRegion opening_;
   double beam_;  // limit of size over distance within the beam

@@ -13,9 +13,9 @@ struct DirectShine {
   std::vector<float> psi;  ///< [n_states, n_columns] flux by lobes into patches, per area
   std::vector<double>
       point_lobe;  ///< [n_points, n_columns] from lobes seen without a mirror between, exact angles
-  std::vector<double> mirrored;      ///< [n_columns] flux that mirrors reflect and images bring
+  std::vector<double> mirrored;      ///< [n_columns] flux that mirrors reflect and images or rays bring
   std::vector<double> escaped;       ///< [n_columns] of that, what leaves the zone
-  std::vector<double> not_followed;  ///< [n_columns] flux that mirrors reflect beyond the last image
+  std::vector<double> not_followed;  ///< [n_columns] flux that mirrors reflect and no ray follows
 };
 
 /// The light by direction of a block of columns while it is being gathered.
