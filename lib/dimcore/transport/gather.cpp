@@ -1,284 +1,320 @@
 #include "transport/gather.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
+#include <limits>
 
+#include "transport/conjugate_residuals.hpp"
+#include "transport/contraction.hpp"
 #include "transport/gather_kernel.hpp"
 
 namespace dim {
 namespace {
 
-// Cells are summed in runs of this length and the runs in order: the same bits on any number of threads.
-constexpr std::size_t kRun = 256;
+// The cycle ends a little below what is asked for, so that the true residual is there as well.
+constexpr double kCycleGoal = 0.5;
+// With lobes, what a cycle reaches is overtaken by the next change of the lobes.
+constexpr double kCycleGainWithLobes = 0.1;
+// A cycle that leaves more of the residual than this has gained nothing.
+constexpr double kNoGain = 0.9;
 
-// The columns [first, first + n) of the whole problem, padded with zeros to a multiple of eight.
+// What all blocks of columns have in common.
+template <class Real>
+struct Setting {
+  const Network& network;
+  const Cells& cells;
+  const Columns<Real>& direct;
+  const Columns<Real>& point_direct;
+  const Reflectances& reflectances;
+  const GatherShine* shine;
+  Contraction contraction;
+  std::vector<double> lost_m2;
+};
+
+// The columns [first, first + n) of the setting.
+template <class Real>
 class Block {
  public:
-  Block(const Network& network, const Cells& cells, const std::vector<double>& direct,
-        const std::vector<double>& reflectance, std::size_t n_columns, std::size_t first, std::size_t n,
-        const GatherShine* shine)
-      : network_(network),
-        cells_(cells),
+  Block(const Setting<Real>& setting, std::size_t first, std::size_t n, Gathered<Real>& result)
+      : setting_(setting),
+        cells_(setting.cells),
+        first_(first),
         n_(n),
-        width_((n + kColumnsPerLane - 1) / kColumnsPerLane * kColumnsPerLane) {
-    const std::size_t n_cells = cells.size();
-    direct_.assign(n_cells * width_, 0.0);
-    rho_.assign(cells.n_surfaces() * width_, 0.0);
-    exitance_.assign((n_cells + 1) * width_, 0.0);
-    gathered_.resize(n_cells * width_);
-    for (std::size_t i = 0; i < n_cells; ++i)
-      std::copy_n(&direct[i * n_columns + first], n, &direct_[i * width_]);
-    for (std::size_t s = 0; s < cells.n_surfaces(); ++s)
-      std::copy_n(&reflectance[s * n_columns + first], n, &rho_[s * width_]);
-    total_ = direct_;
-    if (shine)
-      shine_.emplace(shine->shine, shine->zone, network, cells, shine->direct, shine->class_of_column,
-                     n_columns, first, n, width_);
-    add_ambient();
+        result_(result),
+        propagation_(setting.network, setting.cells, setting.reflectances, first, n, setting.shine),
+        width_(propagation_.width()),
+        sums_(propagation_.sums()),
+        cycle_(propagation_),
+        irradiance_(setting.cells.size() * width_, 0.0),
+        columns_(width_) {
+    for (std::size_t c = 0; c < width_; ++c) {
+      columns_[c].stage = c < n ? Stage::open : Stage::finished;
+      // Padding repeats the last column and is never looked at.
+      columns_[c].direct = setting.direct.column((first + std::min(c, n - 1)) % setting.direct.n_columns());
+    }
+    sums_.each([&](std::size_t i) {
+      for (std::size_t c = 0; c < n_; ++c) irradiance_[i * width_ + c] = direct(i, c);
+    });
   }
 
   void solve(const GatherOptions& options, const Job& job) {
-    mean_ = weighted_mean();
-    for (iterations_ = 0; iterations_ < options.max_iterations; ++iterations_) {
+    while (any(Stage::open)) {
       job.check();
-      emit();
-      gather();
-      residual_ = update();
-      if (shine_) {
-        const auto change = shine_->reflect(exitance_).largest;
-        for (std::size_t c = 0; c < width_; ++c) residual_[c] = std::max(residual_[c], change[c]);
-      }
-      // The means grow with every reflection, so that judging by the latest ones ends when it should.
-      mean_ = weighted_mean();
-      if (largest_relative(residual_) <= options.tolerance) {
-        ++iterations_;
-        break;
-      }
+      propagation_.reflect(irradiance_, residual_);
+      count(1);
+      take_residual();
+      for (auto& column : columns_) judge(column, options);
+      improve(options);
+      std::vector<double> lobes(width_, 0.0);
+      if (auto* shine = propagation_.shine()) lobes = shine->reflect(propagation_.emit(irradiance_));
+      if (any(Stage::finishing)) finish(lobes);
     }
-  }
-
-  void report(std::vector<ColumnReport>& reports, std::size_t first) {
-    emit();
-    for (std::size_t c = 0; c < n_; ++c) {
-      ColumnReport& report = reports[first + c];
-      double rho_max = 0.0;
-      for (std::size_t s = 0; s < cells_.n_surfaces(); ++s)
-        rho_max = std::max(rho_max, rho_[s * width_ + c] + (shine_ ? shine_->largest_albedo(s, c) : 0.0));
-      report.iterations = iterations_;
-      report.residual = mean_[c] > 0.0 ? residual_[c] / mean_[c] : 0.0;
-      report.error_bound = report.residual * rho_max / (1.0 - rho_max);
-      report.dropped = in_flight_[c];
-    }
-    add_power(reports, first);
-    if (!shine_) return;
-    const auto power = shine_->power(exitance_);
-    for (std::size_t c = 0; c < n_; ++c) {
-      ColumnReport& report = reports[first + c];
-      report.absorbed -= power.reflected[c];
-      report.escaped += power.escaped[c];
-      report.dropped += power.in_flight[c];
-    }
-  }
-
-  void copy_psi(std::vector<float>& psi) const {
-    if (shine_) shine_->copy_psi(psi, std::vector<bool>(n_, true));
-  }
-
-  void copy_cells(std::vector<double>& cell, std::size_t n_columns, std::size_t first) const {
-    for (std::size_t i = 0; i < cells_.size(); ++i)
-      std::copy_n(&total_[i * width_], n_, &cell[i * n_columns + first]);
-  }
-
-  // In place of solving: what was given as direct light is all there is.
-  void take_as_final(const std::vector<float>& psi) {
-    total_ = direct_;
-    if (shine_) shine_->set_psi(psi);
-    emit();
-  }
-
-  // After report(): the exitances are those of the final irradiances, without the network's column scale.
-  void gather_points(const std::vector<double>& point_direct, std::vector<double>& point,
-                     std::size_t n_columns, std::size_t first) {
-    const std::size_t n_points = network_.point_sinks.n_rows();
-    std::vector<double> sums(n_points * width_);
-    unscale();
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n_points, 16), [&](const auto& rows) {
-      gather_rows(network_.point_sinks, network_.point_patches, nullptr, exitance_.data(), width_,
-                  rows.begin(), rows.end(), sums.data());
-    });
-    if (shine_) shine_->add_to_points(exitance_, sums);
-    for (std::size_t p = 0; p < n_points; ++p) {
-      for (std::size_t c = 0; c < n_; ++c)
-        point[p * n_columns + first + c] = point_direct[p * n_columns + first + c] + sums[p * width_ + c];
-    }
+    if (!setting_.shine) copy_points();
   }
 
  private:
-  // A first guess of the inter-reflected part: that of an integrating sphere of the same area and
-  // reflectances. It takes the slowest-settling share out of the iteration; the answer does not depend on it.
-  void add_ambient() {
-    std::vector<double> reflected(width_, 0.0), taken(width_, 0.0);
-    for (std::size_t i = 0; i < cells_.size(); ++i) {
-      const double* rho = &rho_[cells_.surface_of(i) * width_];
-      for (std::size_t c = 0; c < width_; ++c) {
-        reflected[c] += cells_.area_m2(i) * network_.visible[i] * rho[c] * direct_[i * width_ + c];
-        taken[c] += cells_.area_m2(i) * (1.0 - network_.visible[i] * rho[c]);
-      }
-    }
-    for_cells([&](std::size_t i) {
-      for (std::size_t c = 0; c < width_; ++c) {
-        if (taken[c] > 0.0) total_[i * width_ + c] += network_.visible[i] * reflected[c] / taken[c];
-      }
-    });
+  enum class Stage { open, finishing, finished };
+  struct Column {
+    Stage stage = Stage::open;
+    typename Columns<Real>::ConstStrided direct{};
+    int sweeps = 0;
+    double mean = 0.0;                                       // irradiance of lit cells
+    double local = std::numeric_limits<double>::infinity();  // largest residual over a cell's own irradiance
+    bool plain = false;                                      // conjugate residuals do not help
+  };
+
+  bool any(Stage stage) const {
+    return std::any_of(columns_.begin(), columns_.end(), [&](const Column& c) { return c.stage == stage; });
+  }
+  bool finishing(std::size_t c) const { return columns_[c].stage == Stage::finishing; }
+  double direct(std::size_t i, std::size_t c) const { return static_cast<double>(columns_[c].direct[i]); }
+  bool reflects(std::size_t i, std::size_t c) const { return propagation_.reflectance(i)[c] > 0.0; }
+
+  void count(int reflections) {
+    const auto n = static_cast<std::uint64_t>(reflections);
+    result_.counts.reflections += n;
+    result_.counts.link_columns += n * setting_.network.sinks.n_rays() * n_;
   }
 
-  void emit() {
-    for_cells([&](std::size_t i) {
-      const double* rho = &rho_[cells_.surface_of(i) * width_];
-      for (std::size_t c = 0; c < width_; ++c)
-        exitance_[i * width_ + c] = network_.column_scale[i] * rho[c] * total_[i * width_ + c];
-    });
-  }
-
-  void unscale() {
-    for_cells([&](std::size_t i) {
-      for (std::size_t c = 0; c < width_; ++c) exitance_[i * width_ + c] /= network_.column_scale[i];
-    });
-  }
-
-  void gather() {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells_.size(), 32), [&](const auto& rows) {
-      gather_rows(network_.sinks, network_.patches, network_.has_family() ? &network_.extra : nullptr,
-                  exitance_.data(), width_, rows.begin(), rows.end(), gathered_.data());
-    });
-    if (shine_) shine_->add_to_cells(exitance_, gathered_);
-  }
-
-  // Sets the new irradiances and what their change would reflect on; returns the largest change of each
-  // column.
-  std::vector<double> update() {
-    const std::size_t n_runs = (cells_.size() + kRun - 1) / kRun;
-    std::vector<double> change(n_runs * width_, 0.0), reflected(n_runs * width_, 0.0);
-    tbb::parallel_for(std::size_t{0}, n_runs, [&](std::size_t run) {
-      const std::size_t last = std::min(cells_.size(), (run + 1) * kRun);
-      for (std::size_t i = run * kRun; i < last; ++i) {
-        const double* rho = &rho_[cells_.surface_of(i) * width_];
-        const double seen_m2 = cells_.area_m2(i) * network_.visible[i];
+  // Turns what arrives into what the irradiances are short of, and measures it.
+  void take_residual() {
+    const auto sums = sums_.template add<double>(2, [&](std::size_t first, std::size_t last, double* into) {
+      for (std::size_t i = first; i < last; ++i) {
+        const double area_m2 = propagation_.area_m2(i);
         for (std::size_t c = 0; c < width_; ++c) {
           const std::size_t at = i * width_ + c;
-          const double next = direct_[at] + network_.row_scale[i] * gathered_[at];
-          change[run * width_ + c] = std::max(change[run * width_ + c], std::abs(next - total_[at]));
-          reflected[run * width_ + c] += seen_m2 * rho[c] * (next - total_[at]);
-          total_[at] = next;
+          residual_[at] += direct(i, c) - irradiance_[at];
+          const double next = irradiance_[at] + residual_[at];
+          into[c] += next > 0.0 ? area_m2 * next : 0.0;
+          into[width_ + c] += next > 0.0 ? area_m2 : 0.0;
         }
       }
     });
-    std::vector<double> largest(width_, 0.0);
-    in_flight_.assign(width_, 0.0);
-    for (std::size_t run = 0; run < n_runs; ++run) {
-      for (std::size_t c = 0; c < width_; ++c) {
-        largest[c] = std::max(largest[c], change[run * width_ + c]);
-        in_flight_[c] += reflected[run * width_ + c];
+    std::vector<double> floor(width_);
+    for (std::size_t c = 0; c < width_; ++c) {
+      const double mean = sums[width_ + c] > 0.0 ? sums[c] / sums[width_ + c] : 0.0;
+      if (columns_[c].stage != Stage::finished) columns_[c].mean = mean;
+      floor[c] = std::max(kIrradianceFloor * mean, std::numeric_limits<double>::min());
+    }
+    const auto local =
+        sums_.template largest<double>(1, [&](std::size_t first, std::size_t last, double* into) {
+          for (std::size_t i = first; i < last; ++i) {
+            const double* rho = propagation_.reflectance(i);
+            for (std::size_t c = 0; c < width_; ++c) {
+              const std::size_t at = i * width_ + c;
+              const double next = std::max(irradiance_[at] + residual_[at], floor[c]);
+              if (rho[c] > 0.0) into[c] = std::max(into[c], std::abs(residual_[at]) / next);
+            }
+          }
+        });
+    for (std::size_t c = 0; c < width_; ++c) {
+      auto& column = columns_[c];
+      if (column.stage == Stage::finished) continue;
+      column.plain = column.plain || local[c] > kNoGain * column.local;
+      column.local = local[c];
+    }
+  }
+
+  static void judge(Column& column, const GatherOptions& options) {
+    if (column.stage != Stage::open) return;
+    ++column.sweeps;
+    if (column.local <= options.tolerance || column.sweeps >= options.max_iterations)
+      column.stage = Stage::finishing;
+  }
+
+  void improve(const GatherOptions& options) {
+    std::vector<ConjugateResiduals::Goal> goals(width_);
+    std::vector<char> plain(width_, 0);
+    for (std::size_t c = 0; c < width_; ++c) {
+      const auto& column = columns_[c];
+      if (column.stage != Stage::open) continue;
+      plain[c] = column.plain;
+      const double gain = propagation_.has_lobes() ? kCycleGainWithLobes * column.local : 0.0;
+      goals[c].local = std::max(kCycleGoal * options.tolerance, gain);
+      goals[c].floor = kIrradianceFloor * column.mean;
+      goals[c].most_sweeps = options.max_iterations - column.sweeps - 1;
+      goals[c].active = !column.plain && goals[c].most_sweeps > 0;
+    }
+    if (std::count(plain.begin(), plain.end(), 1) > 0) {
+      sums_.each([&](std::size_t i) {
+        for (std::size_t c = 0; c < width_; ++c) {
+          if (plain[c]) irradiance_[i * width_ + c] += residual_[i * width_ + c];
+        }
+      });
+    }
+    cycle_.improve(irradiance_, residual_, goals);
+    int most = 0;
+    for (std::size_t c = 0; c < width_; ++c) {
+      columns_[c].sweeps += goals[c].sweeps;
+      most = std::max(most, goals[c].sweeps);
+    }
+    count(most);
+  }
+
+  // The last reflection is the result: E = E0 + what arrives of the irradiances before.
+  void finish(const std::vector<double>& lobes) {
+    const auto sums = sums_.template add<double>(2, [&](std::size_t first, std::size_t last, double* into) {
+      for (std::size_t i = first; i < last; ++i) {
+        for (std::size_t c = 0; c < width_; ++c) {
+          if (!finishing(c)) continue;
+          const std::size_t at = i * width_ + c;
+          // Conjugate residuals may undershoot where there is next to no light.
+          const double next = irradiance_[at] + residual_[at], clipped = std::min(next, 0.0);
+          residual_[at] -= clipped;
+          irradiance_[at] = next - clipped;
+          into[c] -= clipped * propagation_.area_m2(i);
+          into[width_ + c] += direct(i, c) * propagation_.area_m2(i);
+        }
       }
-    }
-    return largest;
-  }
-
-  double largest_relative(const std::vector<double>& residual) const {
-    double largest = 0.0;
-    for (std::size_t c = 0; c < n_; ++c) {
-      if (mean_[c] > 0.0) largest = std::max(largest, residual[c] / mean_[c]);
-    }
-    return largest;
-  }
-
-  std::vector<double> weighted_mean() const {
-    std::vector<double> sum(width_, 0.0);
-    double area_m2 = 0.0;
-    for (std::size_t i = 0; i < cells_.size(); ++i) {
-      const double a = cells_.area_m2(i);
-      area_m2 += a;
-      for (std::size_t c = 0; c < width_; ++c) sum[c] += a * total_[i * width_ + c];
-    }
-    for (double& s : sum) s /= area_m2;
-    return sum;
-  }
-
-  void add_power(std::vector<ColumnReport>& reports, std::size_t first) const {
-    const auto& visible = network_.visible;
-    for (std::size_t i = 0; i < cells_.size(); ++i) {
-      const double a = cells_.area_m2(i);
-      const double* rho = &rho_[cells_.surface_of(i) * width_];
-      for (std::size_t c = 0; c < n_; ++c) {
-        const double e = total_[i * width_ + c];
-        auto& report = reports[first + c];
-        report.received += a * direct_[i * width_ + c];
-        report.absorbed += a * (1.0 - rho[c]) * e;
-        report.escaped += a * rho[c] * e * (1.0 - visible[i]);
-      }
-    }
-  }
-
-  template <class F>
-  void for_cells(F&& f) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells_.size(), kRun), [&](const auto& range) {
-      for (std::size_t i = range.begin(); i != range.end(); ++i) f(i);
     });
+    const auto& class_of = setting_.reflectances.class_of_column;
+    const auto first = class_of.begin() + static_cast<std::ptrdiff_t>(first_);
+    const auto reports =
+        report_columns(propagation_, {irradiance_, residual_, lobes, setting_.lost_m2}, setting_.contraction,
+                       {first, first + static_cast<std::ptrdiff_t>(n_)});
+    for (std::size_t c = 0; c < n_; ++c) {
+      if (!finishing(c)) continue;
+      auto& report = result_.columns[first_ + c] = reports[c];
+      report.iterations = columns_[c].sweeps;
+      report.residual = columns_[c].local;
+      report.received = sums[width_ + c];
+      report.unbalanced -= sums[c];
+      copy_cells(c);
+    }
+    if (setting_.shine) copy_shine();
+    for (auto& column : columns_) {
+      if (column.stage == Stage::finishing) column.stage = Stage::finished;
+    }
   }
 
-  const Network& network_;
+  void copy_cells(std::size_t c) {
+    const auto column = result_.cell.column(first_ + c);
+    for (std::size_t i = 0; i < cells_.size(); ++i)
+      column[i] = static_cast<Real>(irradiance_[i * width_ + c]);
+  }
+
+  void copy_points(std::size_t c, const std::vector<double>& arriving) {
+    if (result_.point.n_rows() == 0) return;
+    const auto direct = setting_.point_direct.column((first_ + c) % setting_.point_direct.n_columns());
+    const auto column = result_.point.column(first_ + c);
+    for (std::size_t p = 0; p < result_.point.n_rows(); ++p)
+      column[p] = static_cast<Real>(static_cast<double>(direct[p]) + arriving[p * width_ + c]);
+  }
+
+  void copy_points() {
+    const auto arriving = propagation_.to_points(irradiance_);
+    for (std::size_t c = 0; c < n_; ++c) copy_points(c, arriving);
+  }
+
+  // Lobes of columns that have finished change with those that have not: taken now.
+  void copy_shine() {
+    const auto arriving = propagation_.to_points(irradiance_);
+    std::vector<bool> wanted(n_);
+    for (std::size_t c = 0; c < n_; ++c) {
+      wanted[c] = finishing(c);
+      if (wanted[c]) copy_points(c, arriving);
+    }
+    propagation_.shine()->copy_psi(result_.psi, wanted);
+  }
+
+  const Setting<Real>& setting_;
   const Cells& cells_;
-  std::size_t n_;
+  std::size_t first_, n_;
+  Gathered<Real>& result_;
+  Propagation propagation_;
   std::size_t width_;
-  std::vector<double> direct_, rho_, total_, exitance_, gathered_;
-  std::vector<double> mean_, residual_, in_flight_;
-  int iterations_ = 0;
-  std::optional<ShineState> shine_;
+  const CellSums& sums_;
+  ConjugateResiduals cycle_;
+  std::vector<double> irradiance_, residual_;  // [n_cells, width]
+  std::vector<Column> columns_;                // [width]
 };
 
 }  // namespace
 
-Gathered gather(const Network& network, const Cells& cells, const std::vector<double>& direct,
-                const std::vector<double>& point_direct, const std::vector<double>& reflectance,
-                std::size_t n_columns, const GatherOptions& options, const Job& job,
-                const GatherShine* shine) {
-  // Off-specular cells hold a value a patch for every column.
-  const std::size_t block_columns = shine && shine->shine.n_states() > 0 ? kColumnsPerLane : kMaxColumns;
-  Gathered result;
-  if (shine) result.psi.resize(shine->shine.n_states() * n_columns);
-  result.cell.resize(cells.size() * n_columns);
-  result.point.resize(network.point_sinks.n_rows() * n_columns);
+template <class Real>
+Gathered<Real> gather(const Network& network, const Cells& cells, const Columns<Real>& direct,
+                      const Columns<Real>& point_direct, const Reflectances& reflectances,
+                      const GatherOptions& options, const Job& job, const GatherShine* shine) {
+  const std::size_t n_columns = reflectances.n_columns();
+  Gathered<Real> result;
+  result.cell = Columns<Real>(cells.size(), n_columns);
+  result.point = Columns<Real>(network.point_sinks.n_rows(), n_columns);
   result.columns.resize(n_columns);
+  if (shine) result.psi.resize(shine->shine.n_states() * n_columns);
+  const Setting<Real> setting{network,
+                              cells,
+                              direct,
+                              point_direct,
+                              reflectances,
+                              shine,
+                              contraction(network, cells, reflectances, shine),
+                              lost_by_cells(network, cells)};
+  // Off-specular cells hold a value a patch for every column.
+  const std::size_t block_columns = setting.contraction.in_flux ? kColumnsPerLane : kMaxColumns;
   for (std::size_t first = 0; first < n_columns; first += block_columns) {
     const std::size_t n = std::min(block_columns, n_columns - first);
-    Block block(network, cells, direct, reflectance, n_columns, first, n, shine);
-    block.solve(options, job);
-    block.report(result.columns, first);
-    block.copy_cells(result.cell, n_columns, first);
-    block.copy_psi(result.psi);
-    block.gather_points(point_direct, result.point, n_columns, first);
+    Block<Real>(setting, first, n, result).solve(options, job);
     job.report("solve", static_cast<double>(first + n) / static_cast<double>(n_columns));
   }
   return result;
 }
 
-std::vector<double> gather_points(const Network& network, const Cells& cells, const std::vector<double>& cell,
-                                  const std::vector<float>& psi, const std::vector<double>& point_direct,
-                                  const std::vector<double>& reflectance, std::size_t n_columns,
-                                  const GatherShine* shine) {
-  std::vector<double> point(network.point_sinks.n_rows() * n_columns);
-  for (std::size_t first = 0; first < n_columns; first += kMaxColumns) {
-    const std::size_t n = std::min(kMaxColumns, n_columns - first);
-    Block block(network, cells, cell, reflectance, n_columns, first, n, shine);
-    block.take_as_final(psi);
-    block.gather_points(point_direct, point, n_columns, first);
+template <class Real>
+Columns<Real> gather_points(const Network& network, const Cells& cells, const Columns<Real>& cell,
+                            const std::vector<float>& psi, const Columns<Real>& point_direct,
+                            const Reflectances& reflectances, const GatherShine* shine) {
+  Columns<Real> point(network.point_sinks.n_rows(), cell.n_columns());
+  if (point.n_rows() == 0) return point;
+  for (std::size_t first = 0; first < cell.n_columns(); first += kMaxColumns) {
+    const std::size_t n = std::min(kMaxColumns, cell.n_columns() - first);
+    Propagation propagation(network, cells, reflectances, first, n, shine);
+    if (propagation.shine()) propagation.shine()->set_psi(psi);
+    const std::size_t width = propagation.width();
+    std::vector<double> irradiance(cells.size() * width, 0.0);
+    for (std::size_t c = 0; c < n; ++c) {
+      const auto column = cell.column(first + c);
+      for (std::size_t i = 0; i < cells.size(); ++i)
+        irradiance[i * width + c] = static_cast<double>(column[i]);
+    }
+    const auto arriving = propagation.to_points(irradiance);
+    for (std::size_t c = 0; c < n; ++c) {
+      const auto direct = point_direct.column((first + c) % point_direct.n_columns());
+      const auto column = point.column(first + c);
+      for (std::size_t p = 0; p < point.n_rows(); ++p)
+        column[p] = static_cast<Real>(static_cast<double>(direct[p]) + arriving[p * width + c]);
+    }
   }
   return point;
 }
+
+#define DIM_INSTANTIATE(Real)                                                                                \
+  template Gathered<Real> gather(const Network&, const Cells&, const Columns<Real>&, const Columns<Real>&,   \
+                                 const Reflectances&, const GatherOptions&, const Job&, const GatherShine*); \
+  template Columns<Real> gather_points(const Network&, const Cells&, const Columns<Real>&,                   \
+                                       const std::vector<float>&, const Columns<Real>&, const Reflectances&, \
+                                       const GatherShine*);
+DIM_INSTANTIATE(float)
+DIM_INSTANTIATE(double)
+#undef DIM_INSTANTIATE
 
 }  // namespace dim

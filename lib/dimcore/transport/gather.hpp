@@ -1,65 +1,63 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "base/job.hpp"
 #include "network/cells.hpp"
 #include "network/network.hpp"
-#include "transport/shine.hpp"
-#include "transport/shine_state.hpp"
+#include "transport/column_report.hpp"
+#include "transport/columns.hpp"
+#include "transport/propagation.hpp"
 
 namespace dim {
 
 struct GatherOptions {
-  double tolerance = 3e-4;  ///< stop when no cell changes by more than this share of its column's mean
-  int max_iterations = 1000;
+  /// Stop when one more reflection changes no reflecting cell by more than this share of its own irradiance
+  /// (of kIrradianceFloor times its column's mean, where it has less).
+  double tolerance = 3e-4;
+  int max_iterations = 1000;  ///< reflections through the network
 };
 
-/// How one column (a source in a reflectance class) ended. All power figures in the unit of direct
-/// illuminance times square metres.
-struct ColumnReport {
-  int iterations = 0;
-  double residual = 0.0;     ///< largest last change of a cell over the column's mean irradiance
-  double error_bound = 0.0;  ///< contraction bound residual * rho_max / (1 - rho_max)
-  double received = 0.0;     ///< direct, on cells
-  double absorbed = 0.0;     ///< by cells
-  double escaped = 0.0;      ///< reflected out of the zone or onto backs
-  double dropped = 0.0;      ///< the last change's reflections, not followed; either sign
+/// Work done.
+struct GatherCounts {
+  std::uint64_t reflections = 0;   ///< of blocks of columns through the network
+  std::uint64_t link_columns = 0;  ///< rays times columns read for it
 };
 
+template <class Real>
 struct Gathered {
-  std::vector<double> cell;   ///< [n_cells, n_columns] total irradiance
-  std::vector<double> point;  ///< [n_points, n_columns]
-  std::vector<float> psi;     ///< [n_states, n_columns] of off-specular cells, see `Shine`; empty without any
+  Columns<Real> cell;      ///< [n_cells, n_columns] total irradiance
+  Columns<Real> point;     ///< [n_points, n_columns]
+  std::vector<float> psi;  ///< [n_states, n_columns] of off-specular cells, see `Shine`; empty without any
   std::vector<ColumnReport> columns;
-};
-
-/// Shiny surfaces of the problem.
-struct GatherShine {
-  const Shine& shine;
-  const Zone& zone;
-  const DirectShine& direct;
-  std::vector<std::size_t> class_of_column;  ///< [n_columns]
+  GatherCounts counts;
 };
 
 /// Solves E_i = E0_i + sum_j F_ij rho_j E_j for all columns at once and gathers the measuring points.
 ///
-/// @param direct       [n_cells, n_columns] E0; unit free
-/// @param point_direct [n_points, n_columns]
-/// @param reflectance  [n_surfaces, n_columns], each in [0, 1)
-/// @param shine        null where every surface is diffusing
+/// By conjugate residuals (see `ConjugateResiduals`) around the true residual: whatever has been calculated in
+/// single precision or with lobes of an earlier state is seen by the next full reflection, and the last one is
+/// the result. Where conjugate residuals gain nothing, plain reflections go on, which always converge. A column's
+/// result does not depend on the others, and cells that no light reaches stay exactly 0.
+///
+/// @tparam Real         float or double, of what is stored
+/// @param direct        [n_cells, any number that divides n_columns] E0, unit free: column c starts with column
+///                      c modulo their number
+/// @param point_direct  [n_points, the same]
+/// @param shine         null where every surface is diffusing
 /// @throws Interrupted
-Gathered gather(const Network& network, const Cells& cells, const std::vector<double>& direct,
-                const std::vector<double>& point_direct, const std::vector<double>& reflectance,
-                std::size_t n_columns, const GatherOptions& options, const Job& job,
-                const GatherShine* shine = nullptr);
+template <class Real>
+Gathered<Real> gather(const Network& network, const Cells& cells, const Columns<Real>& direct,
+                      const Columns<Real>& point_direct, const Reflectances& reflectances,
+                      const GatherOptions& options, const Job& job, const GatherShine* shine = nullptr);
 
 /// What measuring points receive from cells whose irradiances are known: the last step of a solution.
 /// [n_points, n_columns]
 /// @param cell  [n_cells, n_columns] total irradiance; @param psi  [n_states, n_columns], empty without lobes
-std::vector<double> gather_points(const Network& network, const Cells& cells, const std::vector<double>& cell,
-                                  const std::vector<float>& psi, const std::vector<double>& point_direct,
-                                  const std::vector<double>& reflectance, std::size_t n_columns,
-                                  const GatherShine* shine);
+template <class Real>
+Columns<Real> gather_points(const Network& network, const Cells& cells, const Columns<Real>& cell,
+                            const std::vector<float>& psi, const Columns<Real>& point_direct,
+                            const Reflectances& reflectances, const GatherShine* shine);
 
 }  // namespace dim

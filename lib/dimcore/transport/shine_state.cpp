@@ -173,7 +173,7 @@ void ShineState::reflect_cell(std::size_t g, const std::vector<double>& phi, std
   }
 }
 
-ShineState::Change ShineState::reflect(const std::vector<double>& exitance) {
+std::vector<double> ShineState::reflect(const std::vector<double>& exitance) {
   std::vector<double> change(shine_.n_off_specular() * n_);
   for_off_specular([&](std::size_t first, std::size_t last) {
     std::vector<double> phi, scratch;
@@ -184,15 +184,12 @@ ShineState::Change ShineState::reflect(const std::vector<double>& exitance) {
   });
   landed_ = landed_by_mirrors(exitance, psi_);
   std::swap(psi_, before_);
-  Change total{std::vector<double>(width_, 0.0), std::vector<double>(width_, 0.0)};
+  std::vector<double> flux(width_, 0.0);
   for (std::size_t g = 0; g < shine_.n_off_specular(); ++g) {
     const double area_m2 = cells_.area_m2(shine_.off_specular()[g]);
-    for (std::size_t c = 0; c < n_; ++c) {
-      total.largest[c] = std::max(total.largest[c], change[g * n_ + c]);
-      total.flux[c] += area_m2 * change[g * n_ + c];
-    }
+    for (std::size_t c = 0; c < n_; ++c) flux[c] += area_m2 * change[g * n_ + c];
   }
-  return total;
+  return flux;
 }
 
 // Flux of each column that comes down on cells after mirrors.

@@ -40,13 +40,9 @@ class ShineState {
   /// @param phi  [lobe patches, n] written
   void incoming(std::size_t g, const std::vector<double>& exitance, std::vector<double>& phi) const;
 
-  /// By column [width]: what changed of reflected light, in absolute values summed over patches.
-  struct Change {
-    std::vector<double> largest;  ///< of a cell, per area
-    std::vector<double> flux;     ///< of all cells
-  };
   /// New lobes from what comes in now.
-  Change reflect(const std::vector<double>& exitance);
+  /// @returns [width] the sum over cells and patches of the absolute changes of reflected flux
+  std::vector<double> reflect(const std::vector<double>& exitance);
 
   /// Flux of each column, W per W/m2 of exitance.
   struct Power {

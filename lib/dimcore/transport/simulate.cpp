@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "transport/direct_columns.hpp"
+#include "transport/shine_memory.hpp"
 
 namespace dim {
 namespace {
@@ -72,34 +73,21 @@ Sources make_sources(const Lights& lights, const Bands& bands, Combine combine) 
   return result;
 }
 
-// Spreads [n, n_sources] over columns class * n_sources + source.
-std::vector<double> repeat_columns(const std::vector<double>& values, std::size_t n_sources,
-                                   std::size_t n_classes) {
-  if (n_classes == 1) return values;
-  const std::size_t n = n_sources ? values.size() / n_sources : 0;
-  std::vector<double> result(values.size() * n_classes);
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t q = 0; q < n_classes; ++q)
-      std::copy_n(&values[i * n_sources], n_sources, &result[(i * n_classes + q) * n_sources]);
-  }
-  return result;
-}
-
 class Assembly {
  public:
   Assembly(Solution& solution, const ReflectanceClasses& classes) : solution_(solution), classes_(classes) {}
 
   // From [n, columns] in lux units to [source, band, n] in W/m2.
-  std::vector<float> spread(const std::vector<double>& columns, std::size_t n, std::size_t n_columns,
-                            bool by_class) const {
+  std::vector<float> spread(const Columns<float>& columns) const {
     const std::size_t n_sources = solution_.sources.size(), n_bands = solution_.bands.size();
+    const std::size_t n = columns.n_rows();
     std::vector<float> result(n_sources * n_bands * n);
     tbb::parallel_for(std::size_t{0}, n_sources * n_bands, [&](std::size_t row) {
       const std::size_t s = row / n_bands, b = row % n_bands;
       const double watts = band_watts_per_lumen(s, b);
-      const std::size_t column = (by_class ? classes_.of_band[b] * n_sources : 0) + s;
+      const auto column = columns.column((classes_.of_band[b] * n_sources + s) % columns.n_columns());
       for (std::size_t i = 0; i < n; ++i)
-        result[row * n + i] = static_cast<float>(columns[i * n_columns + column] * watts);
+        result[row * n + i] = static_cast<float>(static_cast<double>(column[i]) * watts);
     });
     return result;
   }
@@ -170,17 +158,15 @@ void check_size(std::size_t n_cells, std::size_t n_points, std::size_t n_sources
                     static_cast<double>(job.memory_limit_bytes) / kGiB));
 }
 
-void check_shine_size(const Shine& shine, std::size_t n_columns, std::size_t n_rows, const Job& job) {
+void check_shine_size(const ShineMemory& memory, const Job& job) {
   constexpr double kGiB = 1024.0 * 1024.0 * 1024.0;
-  constexpr std::size_t kPerLink = 40;
-  const std::size_t needed =
-      shine.n_states() * (2 * sizeof(float) * (n_columns + n_rows) + kBlockBytes + kPerLink);
-  if (needed > job.memory_limit_bytes)
-    throw LimitError(fmt::format(
-        "light by direction of {} off-specular cells x {} patches needs {:.2f} GiB, {:.2f} GiB are free; use "
-        "--combine group, fewer --bands, a larger --cell or fewer --patches",
-        shine.n_off_specular(), shine.grid().n_patches(), static_cast<double>(needed) / kGiB,
-        static_cast<double>(job.memory_limit_bytes) / kGiB));
+  if (memory.total() > job.memory_limit_bytes)
+    throw LimitError(
+        fmt::format("light by direction of {} off-specular cells x {} patches, and rays by mirrors, need "
+                    "{:.2f} GiB, {:.2f} "
+                    "GiB are free; use --combine group, fewer --bands, a larger --cell or fewer --patches",
+                    memory.n_off_specular, memory.n_patches, static_cast<double>(memory.total()) / kGiB,
+                    static_cast<double>(job.memory_limit_bytes) / kGiB));
 }
 
 // The first flights of each source, luminaires weighted by flux; the long count only where light can leave.
@@ -230,25 +216,23 @@ Solution simulate(const Zone& zone, const Cells& cells, const Network& network, 
   check_size(cells.size(), zone.points.size(), n_sources, n_classes, options.bands.size(), job);
 
   const Obstructions obstructions(zone, lights);
-  const Shine shine(zone, cells, network, classes, obstructions.caster(), MirrorRayOptions{}, job);
-  check_shine_size(shine, n_columns, n_sources * options.bands.size(), job);
+  const MirrorRayOptions mirror_rays;
+  check_shine_size(shine_memory(zone, cells, network, classes, obstructions.caster(), mirror_rays, n_columns,
+                                n_sources * options.bands.size()),
+                   job);
+  const Shine shine(zone, cells, network, classes, obstructions.caster(), mirror_rays, job);
   const auto flights = source_flights(zone, network, lights, sources, job, warnings);
   const bool in_the_way = options.always_test_visibility || !is_convex_and_empty(zone, lights);
   DirectColumns direct = direct_columns(zone, cells, network, lights, classes, shine, obstructions.caster(),
                                         sources.of_luminaire, n_sources,
                                         {options.gather.tolerance, options.mirror_depth}, in_the_way, job);
-  std::vector<double> reflectance(zone.surfaces.size() * n_columns);
-  std::vector<std::size_t> class_of_column(n_columns);
-  for (std::size_t c = 0; c < n_columns; ++c) class_of_column[c] = c / n_sources;
+  Reflectances reflectances{n_classes, std::vector<double>(zone.surfaces.size() * n_classes),
+                            std::vector<std::size_t>(n_columns)};
+  for (std::size_t c = 0; c < n_columns; ++c) reflectances.class_of_column[c] = c / n_sources;
   for (std::size_t surface = 0; surface < zone.surfaces.size(); ++surface) {
-    for (std::size_t c = 0; c < n_columns; ++c)
-      reflectance[surface * n_columns + c] =
-          classes.at(class_of_column[c], zone.surfaces[surface].finish).diffuse;
+    for (std::size_t q = 0; q < n_classes; ++q)
+      reflectances.of_surface[surface * n_classes + q] = classes.at(q, zone.surfaces[surface].finish).diffuse;
   }
-  const bool by_class = direct.n_columns == n_columns;
-  const auto in_columns = [&](const std::vector<double>& values) {
-    return by_class ? values : repeat_columns(values, n_sources, n_classes);
-  };
   Solution solution;
   solution.bands = options.bands;
   solution.sources = std::move(sources.sources);
@@ -257,18 +241,19 @@ Solution simulate(const Zone& zone, const Cells& cells, const Network& network, 
   solution.n_reflectance_classes = n_classes;
   solution.plan = make_plan(zone, cells, network, lights, classes, shine, n_sources, direct, in_the_way);
   Assembly assembly(solution, classes);
-  solution.cell_direct = assembly.spread(direct.cell, cells.size(), direct.n_columns, by_class);
-  solution.point_direct = assembly.spread(direct.point, zone.points.size(), direct.n_columns, by_class);
+  solution.cell_direct = assembly.spread(Columns<float>::from_rows(direct.cell, direct.n_columns));
+  solution.point_direct = assembly.spread(Columns<float>::from_rows(direct.point, direct.n_columns));
   solution.directional.direct = assembly.spread_states(direct.shine.psi, shine.grid());
   solution.mirror_depth = direct.mirror_depth;
   direct.add_followed();
-  const GatherShine gather_shine{shine, zone, direct.shine, class_of_column};
+  const auto cell_direct = Columns<float>::from_rows(direct.cell, direct.n_columns);
+  const auto point_direct = Columns<float>::from_rows(direct.point, direct.n_columns);
+  const GatherShine gather_shine{shine, zone, direct.shine};
   const auto* shiny = shine.any() ? &gather_shine : nullptr;
-  Gathered gathered = options.solver == Solver::gather
-                          ? gather(network, cells, in_columns(direct.cell), in_columns(direct.point),
-                                   reflectance, n_columns, options.gather, job, shiny)
-                          : track(zone, network, cells, in_columns(direct.cell), in_columns(direct.point),
-                                  reflectance, n_columns, options.track, job, shiny);
+  auto gathered =
+      options.solver == Solver::gather
+          ? gather(network, cells, cell_direct, point_direct, reflectances, options.gather, job, shiny)
+          : track(zone, network, cells, cell_direct, point_direct, reflectances, options.track, job, shiny);
   for (std::size_t c = 0; c < n_columns && shine.any(); ++c) {
     gathered.columns[c].absorbed -= direct.shine.mirrored[c] + direct.shine.not_followed[c];
     gathered.columns[c].dropped += direct.shine.not_followed[c];
@@ -276,8 +261,8 @@ Solution simulate(const Zone& zone, const Cells& cells, const Network& network, 
     gathered.columns[c].error_bound += direct.uncertain[c];
   }
 
-  solution.cell_total = assembly.spread(gathered.cell, cells.size(), n_columns, true);
-  solution.point_total = assembly.spread(gathered.point, zone.points.size(), n_columns, true);
+  solution.cell_total = assembly.spread(gathered.cell);
+  solution.point_total = assembly.spread(gathered.point);
   solution.directional.grid = shine.grid();
   solution.directional.cells = shine.off_specular();
   solution.directional.total = assembly.spread_states(gathered.psi, shine.grid());

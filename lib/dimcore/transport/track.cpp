@@ -3,10 +3,12 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <utility>
 
 #include "network/row_parts.hpp"
+#include "transport/contraction.hpp"
 
 namespace dim {
 namespace {
@@ -14,17 +16,15 @@ namespace {
 // One column being tracked.
 class Tracker {
  public:
-  Tracker(const Zone& zone, const Network& network, const Cells& cells, const std::vector<double>& direct,
-          const std::vector<double>& reflectance, std::size_t n_columns, std::size_t column,
-          const GatherShine* shine)
+  template <class Direct>
+  Tracker(const Zone& zone, const Network& network, const Cells& cells, const Direct& direct,
+          const Reflectances& reflectances, std::size_t column, const GatherShine* shine)
       : zone_(zone),
         network_(network),
         cells_(cells),
-        reflectance_(reflectance),
-        n_columns_(n_columns),
-        column_(column),
+        reflectances_(reflectances),
         shine_(shine ? &shine->shine : nullptr),
-        class_(shine ? shine->class_of_column[column] : 0),
+        class_(reflectances.class_of_column[column]),
         received_(cells.size(), 0.0),
         pending_(cells.size(), 0.0),
         on_stack_(cells.size(), false) {
@@ -34,7 +34,7 @@ class Tracker {
       going_.assign(shine_->n_states(), 0.0);
       psi_.assign(shine_->n_states(), 0.0);
       for (std::size_t s = 0; s < going_.size(); ++s)
-        going_[s] = static_cast<double>(shine->direct.psi[s * n_columns + column]) *
+        going_[s] = static_cast<double>(shine->direct.psi[s * reflectances.n_columns() + column]) *
                     cells.area_m2(shine_->off_specular()[s / n_patches()]);
       for (std::size_t g = 0; g < shine_->n_off_specular(); ++g) {
         const auto& albedo = shine_->slice_albedo(class_, finish(shine_->off_specular()[g]));
@@ -44,7 +44,7 @@ class Tracker {
       }
     }
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      received_[i] = pending_[i] = cells.area_m2(i) * direct[i * n_columns + column];
+      received_[i] = pending_[i] = cells.area_m2(i) * static_cast<double>(direct[i]);
       source_flux_ += received_[i];
     }
   }
@@ -73,8 +73,23 @@ class Tracker {
     report.absorbed -= mirrored_ + lobed_;
     report.dropped += cut_;
     report.residual = source_flux_ > 0.0 ? report.dropped / source_flux_ : 0.0;
-    report.error_bound = report.residual;
+    add_bound(report);
     return report;
+  }
+
+  // What was dropped would have arrived, and been sent on, no more than a geometric series of its flux.
+  void add_bound(ColumnReport& report) const {
+    double share = 0.0, landing = 1.0, flux = 0.0;
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      const SentOn sent_on = most_sent_on(cells_.surface_of(i), rho(i), shine_, zone_, class_);
+      share = std::max(share, sent_on.share);
+      landing = std::max(landing, sent_on.landing);
+      flux += received_[i];
+    }
+    if (report.dropped > 0.0)
+      report.error_bound =
+          share < 1.0 ? report.dropped * landing / (flux * (1.0 - share)) : std::numeric_limits<double>::infinity();
+    report.local_error_bound = report.dropped > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
   }
 
   double irradiance(std::size_t cell) const { return received_[cell] / cells_.area_m2(cell); }
@@ -85,7 +100,9 @@ class Tracker {
  private:
   std::size_t n_patches() const { return shine_->grid().n_patches(); }
   int finish(std::size_t cell) const { return zone_.surfaces[cells_.surface_of(cell)].finish; }
-  double rho(std::size_t cell) const { return reflectance_[cells_.surface_of(cell) * n_columns_ + column_]; }
+  double rho(std::size_t cell) const {
+    return reflectances_.of_surface[cells_.surface_of(cell) * reflectances_.n_classes + class_];
+  }
   bool has_lobe(std::size_t cell) const { return shine_ && shine_->index_of(cell) >= 0; }
   std::size_t first_state(std::size_t cell) const {
     return static_cast<std::size_t>(shine_->index_of(cell)) * n_patches();
@@ -206,8 +223,7 @@ class Tracker {
   const Zone& zone_;
   const Network& network_;
   const Cells& cells_;
-  const std::vector<double>& reflectance_;
-  std::size_t n_columns_, column_;
+  const Reflectances& reflectances_;
   const Shine* shine_;
   std::size_t class_;
   std::vector<double> received_, pending_;  // flux
@@ -223,25 +239,33 @@ class Tracker {
 
 }  // namespace
 
-Gathered track(const Zone& zone, const Network& network, const Cells& cells,
-               const std::vector<double>& direct, const std::vector<double>& point_direct,
-               const std::vector<double>& reflectance, std::size_t n_columns, const TrackOptions& options,
-               const Job& job, const GatherShine* shine) {
-  Gathered result;
-  result.cell.resize(cells.size() * n_columns);
+template <class Real>
+Gathered<Real> track(const Zone& zone, const Network& network, const Cells& cells, const Columns<Real>& direct,
+                     const Columns<Real>& point_direct, const Reflectances& reflectances,
+                     const TrackOptions& options, const Job& job, const GatherShine* shine) {
+  const std::size_t n_columns = reflectances.n_columns();
+  Gathered<Real> result;
+  result.cell = Columns<Real>(cells.size(), n_columns);
   result.columns.resize(n_columns);
   if (shine) result.psi.resize(shine->shine.n_states() * n_columns);
   tbb::parallel_for(std::size_t{0}, n_columns, [&](std::size_t c) {
-    Tracker tracker(zone, network, cells, direct, reflectance, n_columns, c, shine);
+    Tracker tracker(zone, network, cells, direct.column(c % direct.n_columns()), reflectances, c, shine);
     tracker.run(options.threshold, job);
     result.columns[c] = tracker.report();
-    for (std::size_t i = 0; i < cells.size(); ++i) result.cell[i * n_columns + c] = tracker.irradiance(i);
+    const auto column = result.cell.column(c);
+    for (std::size_t i = 0; i < cells.size(); ++i) column[i] = static_cast<Real>(tracker.irradiance(i));
     for (std::size_t s = 0; s * n_columns < result.psi.size(); ++s)
       result.psi[s * n_columns + c] = static_cast<float>(tracker.psi(s));
   });
-  result.point =
-      gather_points(network, cells, result.cell, result.psi, point_direct, reflectance, n_columns, shine);
+  result.point = gather_points(network, cells, result.cell, result.psi, point_direct, reflectances, shine);
   return result;
 }
+
+template Gathered<float> track(const Zone&, const Network&, const Cells&, const Columns<float>&,
+                               const Columns<float>&, const Reflectances&, const TrackOptions&, const Job&,
+                               const GatherShine*);
+template Gathered<double> track(const Zone&, const Network&, const Cells&, const Columns<double>&,
+                                const Columns<double>&, const Reflectances&, const TrackOptions&, const Job&,
+                                const GatherShine*);
 
 }  // namespace dim

@@ -17,11 +17,12 @@ struct TrackOptions {
 /// Shares nothing with `gather` but the network: light is sent along the rows that `gather` collects with,
 /// without their balancing scales. Rays carry all they are given, so that energy is kept exactly. Their
 /// difference is a sign of the network's own error. Arguments and result as for `gather`; `iterations` counts
-/// cells sent in thousands, `residual` and `error_bound` are the share of the direct light dropped.
+/// cells sent in thousands, `residual` is the share of the direct light dropped, `error_bound` that of the mean
+/// over cells of what is missing.
 /// @throws Interrupted
-Gathered track(const Zone& zone, const Network& network, const Cells& cells,
-               const std::vector<double>& direct, const std::vector<double>& point_direct,
-               const std::vector<double>& reflectance, std::size_t n_columns, const TrackOptions& options,
-               const Job& job, const GatherShine* shine = nullptr);
+template <class Real>
+Gathered<Real> track(const Zone& zone, const Network& network, const Cells& cells, const Columns<Real>& direct,
+                     const Columns<Real>& point_direct, const Reflectances& reflectances,
+                     const TrackOptions& options, const Job& job, const GatherShine* shine = nullptr);
 
 }  // namespace dim
