@@ -6,6 +6,8 @@ set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 office=$here/../02-office
 out=${1:-$here/out}
+# Installed, this folder may not be writable.
+[ $# -gt 0 ] || { mkdir -p "$out" 2> /dev/null && [ -w "$out" ]; } || out=$PWD/dim-$(basename "$here")
 mkdir -p "$out"
 
 echo "The file as it came:"

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "common/program.hpp"
+
 namespace dim {
 namespace {
 
@@ -35,6 +37,13 @@ CLI::Validator pair_with_factor(const std::string& form) {
     if (equals != std::string::npos && equals > 0 && number_of(text.substr(equals + 1)) >= 0.0) return {};
     return fmt::format("'{}' is not {} with a factor of at least 0", text, form);
   });
+}
+
+void refuse_without_effect(const CLI::App& command, std::initializer_list<const char*> options,
+                           const std::string& needs) {
+  for (const char* option : options)
+    if (command.count(option) > 0)
+      throw UsageError(fmt::format("{} has no effect {}\n        leave it out", option, needs));
 }
 
 CLI::Validator number_within(double low, double high, bool low_open) {

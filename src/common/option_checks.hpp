@@ -14,4 +14,10 @@ CLI::Validator pair_with_factor(const std::string& form);
 /// A finite number within low..high, the ends included or, where `low_open`, without the lower one.
 CLI::Validator number_within(double low, double high, bool low_open = false);
 
+/// Refuses options that were given and change nothing in this call.
+/// @param needs  "without --tone falsecolour"
+/// @throws UsageError
+void refuse_without_effect(const CLI::App& command, std::initializer_list<const char*> options,
+                           const std::string& needs);
+
 }  // namespace dim

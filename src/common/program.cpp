@@ -1,63 +1,47 @@
 #include "common/program.hpp"
 
 #include <fmt/format.h>
-#include <signal.h>
 #include <tbb/global_control.h>
 #include <tbb/version.h>
 #include <unistd.h>
 
-#include <atomic>
+#include <cerrno>
 #include <chrono>
+#include <cstring>
+#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "base/atomic_file.hpp"
 #include "base/version.hpp"
 #include "common/files.hpp"
+#include "common/interruption.hpp"
 #include "common/progress_line.hpp"
 
 namespace dim {
 namespace {
 
-constexpr int kInterrupted = static_cast<int>(Exit::interrupted);
-std::atomic<bool> stop_requested{false};
-
-std::atomic<bool> output_begun{false};
-
-// A second Ctrl-C does not wait for the program to notice the first; nor, after a second, does the first
-// where no half-written file would be left.
-void on_signal(int) {
-  if (stop_requested.exchange(true)) _exit(kInterrupted);
-  alarm(1);
-}
-
-void on_alarm(int) {
-  if (output_begun.load()) return;
-  constexpr char kWords[] = "interrupted; nothing was written\n";
-  [[maybe_unused]] const auto n = write(STDERR_FILENO, kWords, sizeof kWords - 1);
-  _exit(kInterrupted);
-}
-
-void install_signal_handlers() {
-  struct sigaction action = {};
-  action.sa_handler = on_signal;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-  action.sa_handler = on_alarm;
-  sigaction(SIGALRM, &action, nullptr);
-  // A reader that went away and a file-size limit come back as errors of write().
-  signal(SIGPIPE, SIG_IGN);
-  signal(SIGXFSZ, SIG_IGN);
-}
-
 constexpr const char* kExitCodes =
     "Exit status: 0 done, 1 result written but a requested check failed, 2 command line wrong,\n"
     "3 input wrong, 4 file or system, 5 internal error, 130 interrupted.";
 
+// Where the file formats are described: installed with the program, else in the source folder.
+std::string documents() {
+  for (const char* folder : {"/../share/doc/dim", "/../share/dim/docs"}) {
+    std::error_code error;
+    const auto path = std::filesystem::path(executable_folder() + folder).lexically_normal();
+    if (std::filesystem::is_directory(path, error)) return path.string();
+  }
+  return "docs";
+}
+
 constexpr const char* kVersionHelp = "Print version, compiler and file formats";
 
 std::string footer(const std::string& example) {
-  return fmt::format("Example:\n{}\n\n{}", example, kExitCodes);
+  return fmt::format(
+      "Example:\n{}\n\n{}\n\nFile formats: zone-and-lights.md, databases.md and formats.md in {}", example,
+      kExitCodes, documents());
 }
 
 std::string version_text(const std::string& name, const std::string& formats) {
@@ -132,20 +116,27 @@ void Program::apply_options() {
   const bool terminal = isatty(STDERR_FILENO) != 0;
   if (!quiet_ && progress_ != "never" && (progress_ == "always" || terminal))
     line_ = std::make_shared<ProgressLine>(name_, progress_ == "always");
-  if (!stats_path_.empty()) refuse_unwritable(stats_path_);
+  if (stats_path_.empty()) return;
+  refuse_unwritable(stats_path_);
+  note_output(stats_path_);
 }
 
 int Program::run(int argc, char** argv, const std::function<Exit()>& work) {
   try {
+    if (argc > 1) refuse_unknown_command(argv[1]);
     app_.parse(argc, argv);
+  } catch (const UsageError& error) {
+    return fail(Exit::usage, error.what());
   } catch (const CLI::Success& success) {
-    return app_.exit(success);
+    const int status = app_.exit(success);
+    if (std::cout.flush()) return status;
+    return fail(Exit::system, fmt::format("standard output: cannot write: {}", std::strerror(errno)));
   } catch (const CLI::ParseError& error) {
     return fail(Exit::usage, parse_problem(error, argc > 1 ? argv[1] : ""));
   }
-  install_signal_handlers();
   int status = 0;
   try {
+    answer_interruptions(name_);
     apply_options();
     status = static_cast<int>(work());
     stage("");
@@ -163,9 +154,28 @@ int Program::run(int argc, char** argv, const std::function<Exit()>& work) {
     return fail(Exit::interrupted, "interrupted; nothing was written");
   } catch (const std::bad_alloc&) {
     return fail(Exit::system, "out of memory; use larger cells, fewer patches or fewer sources");
+  } catch (const std::system_error& error) {
+    return fail(Exit::system, fmt::format("the system refuses: {}", error.what()));
   } catch (const std::exception& error) {
     return fail(Exit::internal, fmt::format("internal error, please report: {}", error.what()));
   }
+}
+
+// Without this the parser takes a misspelt command for the input file, or says only that one is needed.
+void Program::refuse_unknown_command(const std::string& word) const {
+  std::vector<std::string> known;
+  for (const auto* command : app_.get_subcommands(nullptr)) known.push_back(command->get_name());
+  if (known.empty() || word.empty() || word.front() == '-' || std::count(known.begin(), known.end(), word))
+    return;
+  const bool command_needed = app_.get_require_subcommand_min() > 0;
+  std::error_code error;
+  const bool like_a_file =
+      word.find_first_of("./") != std::string::npos || std::filesystem::exists(word, error);
+  const std::string near = did_you_mean(word, known);
+  if (!command_needed && (like_a_file || near.empty())) return;
+  throw UsageError(
+      fmt::format("there is no command '{}'\n        {}", word,
+                  near.empty() ? fmt::format("the commands are {}", fmt::join(known, ", ")) : near));
 }
 
 // The parser's words, and for a word it does not know the nearest option or command that it does.
@@ -206,7 +216,7 @@ int Program::fail(const InputError& error) const {
 
 Job Program::job() {
   Job job;
-  job.stop = &stop_requested;
+  job.stop = &stop_flag();
   job.memory_limit_bytes = free_memory_bytes();
   if (line_)
     job.progress = [line = line_](const char* stage, double fraction) { line->show(stage, fraction); };
@@ -222,7 +232,8 @@ void Program::check_output(const std::string& path, const std::vector<std::strin
   if (!stats_path_.empty()) others.push_back(stats_path_);
   for (const auto& other : others)
     if (is_same_file(path, other))
-      throw UsageError(fmt::format("'{}' would be replaced by the result; give -o another name", other));
+      throw UsageError(
+          fmt::format("'{}' would be replaced by the result\n        give -o another name", other));
   for (const auto& input : inputs)
     if (is_same_file(stats_path_, input))
       throw UsageError(
@@ -253,8 +264,8 @@ void Program::stage(const std::string& name) {
     say_verbose(fmt::format("{}: {:.3f} s", clock_->stage, seconds));
   }
   if (line_) line_->clear();
+  if (clock_->stage == kWritingStage) note_written();
   clock_->stage = name;
-  output_begun = name == kWritingStage;
   clock_->stage_start = StageClock::Clock::now();
 }
 
@@ -265,7 +276,7 @@ void Program::write_stats() {
   stats["version"] = version();
   stats["seconds"]["total"] = StageClock::seconds(clock_->start);
   stats["peak_memory_bytes"] = peak_memory_bytes();
-  write_file(stats_path_, stats.dump(2) + "\n");
+  write_file(stats_path_, stats.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace dim

@@ -21,12 +21,13 @@ enum class Exit {
   interrupted = 130
 };
 
-inline constexpr const char* kWritingStage = "write";
+inline constexpr const char* kWritingStage = "write";  ///< once it ends, the result is written
 
 /// What the programs have in common: options of the same names, messages, progress, statistics, exit status.
 class Program {
  public:
   /// @param example  a working command line for the end of --help
+  /// @param formats  "file formats: ..." for --version; the end of --help says where they are described
   Program(std::string name, const std::string& description, const std::string& example,
           const std::string& formats);
 
@@ -55,7 +56,7 @@ class Program {
   void say_verbose(const std::string& text) const;
   void warn(const Warnings& warnings) const;
 
-  /// Starts the clock of a stage, ending the one before. An interruption waits for the end of kWritingStage.
+  /// Starts the clock of a stage, ending the one before.
   void stage(const std::string& name);
   /// What --stats writes, to be added to.
   nlohmann::json& stats() { return *stats_; }
@@ -63,6 +64,7 @@ class Program {
 
  private:
   void apply_options();
+  void refuse_unknown_command(const std::string& word) const;
   std::string parse_problem(const CLI::ParseError& error, const std::string& first_word) const;
   void write_stats();
   int fail(Exit status, const std::string& text) const;

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "common/json_text.hpp"
+
 namespace dim {
 namespace {
 
@@ -53,7 +55,7 @@ std::string Table::json() const {
       std::visit([&](const auto& value) { object[columns_[i]] = value; }, row[i]);
     list.push_back(std::move(object));
   }
-  return list.dump(1) + "\n";
+  return json_text(list);
 }
 
 }  // namespace dim

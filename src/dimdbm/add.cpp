@@ -4,6 +4,8 @@
 #include <filesystem>
 
 #include "base/input_file.hpp"
+#include "common/counted.hpp"
+#include "common/database_option.hpp"
 #include "common/option_checks.hpp"
 #include "database/entry_name.hpp"
 #include "database/spectrum_csv.hpp"
@@ -35,6 +37,18 @@ std::string source_of(const Photometry& photometry, const std::string& file) {
                      "from " + fs::path(file).filename().string());
 }
 
+// The database to change may be still to be made.
+std::string managed_if_there(const std::string& option) {
+  std::error_code error;
+  return fs::is_directory(option, error) ? option : "";
+}
+
+void refuse_built_in(const std::string& name) {
+  const auto known = spectrum_names();
+  if (std::find(known.begin(), known.end(), name) != known.end())
+    throw InputError({{}, "'" + name + "' is a spectrum that DIM knows by itself", "give another --name"});
+}
+
 const std::vector<std::string> kValueUnits = {"found", "fraction", "percent"};
 const std::vector<std::string> kWavelengthUnits = {"found", "nm", "um"};
 
@@ -46,11 +60,13 @@ Unit unit_of(const std::vector<std::string>& names, const std::string& name) {
 }  // namespace
 
 AddCommand::AddCommand(Program& program) : program_(program) {
-  add_ = program.add_command("add", "Adds a photometric file, a measured spectrum or an entry",
+  add_ = program.add_command("add", "Adds a photometric file, a spectrum of a surface or a lamp, or an entry",
                              "  dimdbm add lamp.ldt --spectrum led-4000 --watts 33\n"
-                             "  dimdbm add paint.csv --name paint-blue --source \"spectrophotometer, 2024\"");
+                             "  dimdbm add paint.csv --name paint-blue --source \"spectrophotometer, 2024\"\n"
+                             "  dimdbm add led.csv --kind lamp --name led-own");
   auto& app = *add_;
-  app.add_option("FILE", file_, "Photometric file (.ies, .ldt), spectrum (.csv) or entry (.toml)")
+  app.add_option("FILE", file_,
+                 "Photometric file (.ies, .ldt, .xml), spectrum (.csv, .txt, .spd, .spdx) or entry (.toml)")
       ->required()
       ->type_name("");
   app.add_option("--name", name_, "Name of the entry; from the file's name unless said")->type_name("NAME");
@@ -80,8 +96,10 @@ AddCommand::AddCommand(Program& program) : program_(program) {
       ->check(number_within(0.0, 1.0, true))
       ->type_name("F")
       ->group("Fitting");
-  app.add_option("--kind", kind_, "What a spectrum is of; a glazing's columns are transmittance, reflectance")
-      ->check(CLI::IsMember({"opaque", "glazing"}))
+  app.add_option("--kind", kind_,
+                 "What a spectrum is of: opaque, glazing (columns: transmittance, reflectance) or lamp "
+                 "(relative power)")
+      ->check(CLI::IsMember({"opaque", "glazing", "lamp"}))
       ->group("Spectrum");
   app.add_option("--column", column_, "Which column of values, counted from 1")
       ->check(CLI::Range(1, 99))
@@ -98,15 +116,41 @@ AddCommand::AddCommand(Program& program) : program_(program) {
 bool AddCommand::run() {
   if (!add_->parsed()) return false;
   const std::string extension = extension_of(file_);
-  if (is_photometric_name(file_))
+  refuse_idle_options(extension);
+  if (kind_ == "lamp" || extension == ".spd" || extension == ".spdx")
+    add_lamp_spectrum();
+  else if (is_photometric_name(file_))
     add_photometry();
   else if (extension == ".csv" || extension == ".txt")
     add_spectrum();
   else if (extension == ".toml")
     add_entry();
+  else if (const auto foreign = foreign_format(file_); !foreign.what.empty())
+    throw InputError({{file_, 0, 0}, "is " + foreign.what, foreign.cure});
   else
-    throw UsageError("'" + file_ + "': the name must end in .ies, .ldt, .csv or .toml");
+    throw UsageError("'" + file_ +
+                     "': the name must end in .ies, .ldt, .xml, .csv, .txt, .spd, .spdx or .toml");
   return true;
+}
+
+void AddCommand::refuse_idle_options(const std::string& extension) const {
+  const bool lamp = kind_ == "lamp" || extension == ".spd" || extension == ".spdx";
+  if (extension == ".toml")
+    refuse_without_effect(
+        *add_,
+        {"--title", "--source", "--licence", "--spectrum", "--watts", "--lumens", "--lamp-factor",
+         "--maintenance-factor", "--kind", "--column", "--wavelengths", "--values"},
+        "with an entry, which is added as it is");
+  else if (is_photometric_name(file_) && !lamp)
+    refuse_without_effect(*add_, {"--kind", "--column", "--wavelengths", "--values"},
+                          "with a photometric file");
+  else
+    refuse_without_effect(*add_,
+                          {"--spectrum", "--watts", "--lumens", "--lamp-factor", "--maintenance-factor"},
+                          "with a spectrum: it belongs to fittings");
+  if (lamp)
+    refuse_without_effect(*add_, {"--wavelengths", "--values"},
+                          "with a lamp's spectrum, whose values are relative");
 }
 
 std::string AddCommand::new_name() const {
@@ -139,7 +183,8 @@ void AddCommand::add_photometry() {
   Warnings warnings;
   const Photometry photometry = read_photometric_file(file_, warnings);
   program_.warn(warnings);
-  if (!spectrum_.empty()) find_spectrum(spectrum_);
+  const DatabaseSearch search = database_search(managed_if_there(db_), "-");
+  if (!spectrum_.empty()) spectrum_finder(search)(spectrum_);
   const std::string name = new_name();
   std::string bytes = read_text_file(file_, kMaxPhotometryBytes);
   std::string stored = name + extension_of(file_);
@@ -158,7 +203,7 @@ void AddCommand::add_photometry() {
   entry.source = source_.empty() ? source_of(photometry, file_) : source_;
   entry.licence = licence_.empty() ? "not stated by the file" : licence_;
   const std::string text = fitting_entry_text(entry);
-  read_fitting_entry(text, name + ".toml", name);
+  read_fitting_entry(text, name + ".toml", name, {});
   store(kFittings, name, {{stored, std::move(bytes)}, {name + ".toml", text}});
 }
 
@@ -172,7 +217,8 @@ void AddCommand::add_spectrum() {
   const std::size_t n_wanted = column + (draft.glazing ? 2 : 1);
   if (table.curves.size() < n_wanted)
     throw InputError({{file_, 0, 0},
-                      fmt::format("{} columns of values where {} are needed", table.curves.size(), n_wanted),
+                      fmt::format("{} of values where {} needed", counted(table.curves.size(), "column"),
+                                  n_wanted == 1 ? "1 is" : fmt::format("{} are", n_wanted)),
                       draft.glazing ? "a glazing has transmittance, then reflectance" : "see --column"});
   draft.diffuse = draft.transmittance = table.curves[column];
   if (draft.glazing) draft.reflectance = table.curves[column + 1];
@@ -187,17 +233,43 @@ void AddCommand::add_spectrum() {
   store(kSurfaces, name, {{name + ".toml", text}});
 }
 
+void AddCommand::add_lamp_spectrum() {
+  SpectrumEntry entry =
+      read_lamp_spectrum(read_text_file(file_, kMaxTomlBytes), file_, static_cast<std::size_t>(column_ - 1));
+  entry.name = new_name();
+  refuse_built_in(entry.name);
+  const std::string from = "from " + fs::path(file_).filename().string();
+  if (!title_.empty()) entry.title = title_;
+  if (entry.title.empty()) entry.title = entry.name;
+  entry.source = !source_.empty() ? source_ : entry.source.empty() ? from : entry.source + "; " + from;
+  entry.licence = licence_.empty() ? "not stated by the file" : licence_;
+  const std::string text = spectrum_entry_text(entry);
+  read_spectrum_entry(text, entry.name + ".toml", entry.name);
+  store(kSpectra, entry.name, {{entry.name + ".toml", text}});
+}
+
 void AddCommand::add_entry() {
   const std::string text = read_text_file(file_, kMaxTomlBytes);
   const std::string name = new_name();
-  if (!is_fitting_text(text, file_)) {
+  const std::string kind = kind_of_text(text, file_);
+  if (kind == kSpectra) {
+    refuse_built_in(name);
+    read_spectrum_entry(text, file_, name);
+    return store(kind, name, {{name + ".toml", text}});
+  }
+  if (kind == kSurfaces) {
     read_surface_entry(text, file_, name);
-    return store(kSurfaces, name, {{name + ".toml", text}});
+    return store(kind, name, {{name + ".toml", text}});
   }
   Warnings warnings;
-  const FittingRecord record = read_fitting_record(file_, name, warnings);
+  const DatabaseSearch search = database_search(managed_if_there(db_), "-");
+  const FittingRecord record = read_fitting_record(file_, name, warnings, spectrum_finder(search));
   program_.warn(warnings);
   FittingEntry entry = record.entry;
+  // The file's own spectrum stays in the file.
+  if (record.photometry.spectrum && entry.spectrum &&
+      entry.spectrum->points() == record.photometry.spectrum->points())
+    entry.spectrum.reset();
   const std::string stored = name + extension_of(entry.file);
   std::vector<StoredFile> files = {{stored, read_text_file(entry.file, kMaxPhotometryBytes)}};
   // The entry's own words are kept where its file keeps its name.

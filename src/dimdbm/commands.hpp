@@ -26,6 +26,7 @@ class LookCommands {
   Exit check();
   void show_fitting(const FittingRecord& record);
   void show_surface(const Finish& finish);
+  void show_spectrum(const SpectrumEntry& spectrum);
   void write_table(const Table& table);
 
   Program& program_;
@@ -53,8 +54,10 @@ class AddCommand {
   bool run();
 
  private:
+  void refuse_idle_options(const std::string& extension) const;
   void add_photometry();
   void add_spectrum();
+  void add_lamp_spectrum();
   void add_entry();
   void store(const std::string& kind, const std::string& name, std::vector<StoredFile> files);
   std::string new_name() const;
@@ -89,7 +92,10 @@ class ExportCommand {
 
  private:
   Program& program_;
+  std::string text_of(const FittingRecord& record, const std::string& format, Warnings& warnings) const;
+
   std::string db_, what_, output_ = "-", format_;
+  bool as_used_ = false;
   CLI::App* export_;
 };
 

@@ -9,12 +9,14 @@
 #include "database/entry_store.hpp"
 #include "database/fitting_record.hpp"
 #include "database/search.hpp"
+#include "database/spectrum_entry.hpp"
 #include "reflection/finish.hpp"
 
 namespace dim {
 
 inline constexpr const char* kFittings = "fittings";
 inline constexpr const char* kSurfaces = "surfaces";
+inline constexpr const char* kKinds[] = {kFittings, kSurfaces, kSpectra};
 
 /// Adds `--db` for commands that change one database.
 void add_manage_option(CLI::App& app, std::string& folder);
@@ -28,19 +30,28 @@ std::string managed_database(const std::string& option);
 
 /// An entry or a file, read.
 struct Found {
-  std::variant<FittingRecord, Finish> what;
-  std::string path;  ///< of the entry's TOML; of the file where there is no entry
+  std::variant<FittingRecord, Finish, SpectrumEntry> what;
+  std::string
+      path;  ///< of the entry's TOML; of the file where there is no entry; empty: DIM knows it by itself
+  /// The files that it was read from.
+  std::vector<std::string> files() const;
   const FittingRecord* fitting() const { return std::get_if<FittingRecord>(&what); }
   const Finish* finish() const { return std::get_if<Finish>(&what); }
+  const SpectrumEntry* spectrum() const { return std::get_if<SpectrumEntry>(&what); }
 };
 
-/// A database entry by its name ("fittings/x" and "surfaces/x" where both kinds have one), or a path of an
-/// .ies, .ldt or .toml file.
+/// A database entry by its name ("fittings/x" and "surfaces/x" where several kinds have one), a path of an
+/// .ies, .ldt, .xml or .toml file, or a spectrum that DIM knows by itself.
 /// @throws InputError  no such entry (with the nearest name), or something wrong in it; IoError
 Found find_entry_or_file(const DatabaseSearch& search, const std::string& name, Warnings& warnings);
 
-/// Whether the text of an entry is a fitting's: its `dim` header, else whether it names a `file`.
-bool is_fitting_text(const std::string& text, const std::string& file);
+/// Kind of the entry that a text is, kFittings, kSurfaces or kSpectra: by its `dim` header, else by whether
+/// it names a `file` or lists a `power`.
+std::string kind_of_text(const std::string& text, const std::string& file);
+
+/// A spectrum that DIM knows by itself.
+/// @throws InputError  unknown name
+SpectrumEntry built_in_spectrum(const std::string& name);
 
 /// The photometric file beside a fitting entry that it names and no other entry of the folder does; none
 /// where there is no such file or entry.

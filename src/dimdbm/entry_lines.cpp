@@ -22,7 +22,7 @@ const char* const kNoSource = "no source is named";
 EntryLine fitting_line(const EntryName& entry, bool checked) {
   Warnings warnings;
   // Many entries name the same few spectra: they are looked up afterwards, each once.
-  const FittingRecord record = read_fitting_record(entry.path, entry.name, warnings, SpectrumNames::keep);
+  const FittingRecord record = read_fitting_record(entry.path, entry.name, warnings, {});
   EntryLine line;
   line.kind = "fitting";
   line.spectrum_name = record.entry.spectrum_name;
@@ -64,15 +64,30 @@ EntryLine surface_line(const EntryName& entry, const SpectralCurve& d65, bool ch
   return line;
 }
 
+EntryLine spectrum_line(const EntryName& entry, bool checked) {
+  const auto spectrum = entry.path.empty() ? built_in_spectrum(entry.name)
+                                           : read_spectrum_entry(read_text_file(entry.path, kMaxTomlBytes),
+                                                                 entry.path, entry.name);
+  EntryLine line;
+  line.kind = "spectrum";
+  const Vec3 xyz = white_xyz(spectrum.power);
+  line.cct_K = white_point(xyz).cct_K;
+  const Vec2 xy = xy_of(xyz);
+  line.colour = fmt::format("x {:.3f} y {:.3f}", xy.x, xy.y);
+  line.source = entry.path.empty() ? "known to DIM" : spectrum.source;
+  if (checked && line.source.empty()) line.problem = kNoSource;
+  return line;
+}
+
 /// Colour temperatures of the spectra that entries name; an unknown name is their problem.
-void look_up_spectra(std::vector<EntryLine>& lines) {
+void look_up_spectra(std::vector<EntryLine>& lines, const SpectrumFinder& spectra) {
   std::map<std::string, std::pair<double, std::string>> known;
   for (auto& line : lines) {
     if (line.spectrum_name.empty()) continue;
     const auto [it, added] = known.try_emplace(line.spectrum_name, NAN, "");
     if (added) {
       try {
-        it->second.first = cct_of(find_spectrum(line.spectrum_name));
+        it->second.first = cct_of(spectra(line.spectrum_name));
       } catch (const InputError& error) {
         it->second.second = error.problems().front().what;
       }
@@ -84,15 +99,18 @@ void look_up_spectra(std::vector<EntryLine>& lines) {
 
 }  // namespace
 
-std::vector<EntryName> entries_of(const DatabaseSearch& search, const std::string& kind_wanted) {
+std::vector<EntryName> entries_of(const DatabaseSearch& search, const std::string& kind_wanted,
+                                  bool built_in) {
   std::vector<EntryName> entries;
-  for (const char* kind : {kFittings, kSurfaces}) {
+  for (const char* kind : kKinds) {
     if (kind_wanted != "all" && kind_wanted != kind) continue;
     for (auto& name : search.names(kind)) {
       auto path = search.find(kind, name);
       entries.push_back({kind, name, path.value_or("")});
     }
   }
+  if (built_in && (kind_wanted == "all" || kind_wanted == kSpectra))
+    for (auto& name : spectrum_names()) entries.push_back({kSpectra, std::move(name), ""});
   return entries;
 }
 
@@ -103,21 +121,25 @@ std::string spectrum_words(const FittingEntry& entry) {
 
 double cct_of(const SpectralCurve& spectrum) { return white_point(white_xyz(spectrum)).cct_K; }
 
-std::vector<EntryLine> read_lines(const std::vector<EntryName>& entries, bool checked) {
+std::vector<EntryLine> read_lines(const std::vector<EntryName>& entries, const DatabaseSearch& search,
+                                  bool checked) {
   const SpectralCurve d65 = find_spectrum("d65");
   std::vector<EntryLine> lines(entries.size());
   tbb::parallel_for(std::size_t{0}, entries.size(), [&](std::size_t i) {
     const auto& entry = entries[i];
     try {
-      lines[i] = entry.kind == kFittings ? fitting_line(entry, checked) : surface_line(entry, d65, checked);
+      lines[i] = entry.kind == kFittings  ? fitting_line(entry, checked)
+                 : entry.kind == kSpectra ? spectrum_line(entry, checked)
+                                          : surface_line(entry, d65, checked);
     } catch (const InputError& error) {
       lines[i].problem = to_string(error.problems().front());
     } catch (const IoError& error) {
       lines[i].problem = error.what();
     }
-    if (lines[i].kind.empty()) lines[i].kind = entry.kind == kFittings ? "fitting" : "surface";
+    if (lines[i].kind.empty())
+      lines[i].kind = entry.kind == kFittings ? "fitting" : entry.kind == kSpectra ? "spectrum" : "surface";
   });
-  look_up_spectra(lines);
+  look_up_spectra(lines, spectrum_finder(search));
   return lines;
 }
 

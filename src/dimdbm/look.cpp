@@ -6,12 +6,16 @@
 
 #include "base/atomic_file.hpp"
 #include "common/database_option.hpp"
+#include "common/json_text.hpp"
 #include "database/finish_figures.hpp"
 #include "dimdbm/commands.hpp"
 #include "dimdbm/entry_lines.hpp"
 #include "photometry/text_scanner.hpp"
+#include "spectrum/bands.hpp"
 #include "spectrum/colour.hpp"
 #include "spectrum/named_spectra.hpp"
+#include "spectrum/rendering.hpp"
+#include "spectrum/white.hpp"
 
 namespace dim {
 namespace {
@@ -59,15 +63,26 @@ std::string lines_of(const nlohmann::ordered_json& json) {
   return text;
 }
 
+// An empty table would not say that there is nothing to look in.
+void refuse_no_database(const DatabaseSearch& search) {
+  if (search.folders.empty())
+    throw InputError({{},
+                      "there is no database: neither a folder db/ here nor an installed one",
+                      "give one with --db DIR, or install DIM (cmake --install)"});
+}
+
 }  // namespace
 
 LookCommands::LookCommands(Program& program) : program_(program) {
   list_ = program.add_command("list", "Every entry with its figures", "  dimdbm list --kind fittings");
-  show_ = program.add_command("show", "Everything about an entry or a photometric file",
-                              "  dimdbm show troffer-3600 --json\n  dimdbm show lamp.ldt");
+  show_ = program.add_command(
+      "show", "Everything about an entry, a spectrum or a photometric file",
+      "  dimdbm show troffer-3600 --json\n  dimdbm show lamp.ldt\n  dimdbm show led-4000");
   check_ = program.add_command("check", "Looks through every entry: flux, albedo, sources named, files there",
                                "  dimdbm check --db db");
-  show_->add_option("ENTRY|FILE", what_, "Entry, or an .ies, .ldt or entry's .toml file")
+  show_
+      ->add_option("ENTRY|FILE", what_,
+                   "Entry, spectrum by name, or an .ies, .ldt, .xml or entry's .toml file")
       ->required()
       ->type_name("");
   for (auto* command : {list_, show_, check_}) {
@@ -76,8 +91,8 @@ LookCommands::LookCommands(Program& program) : program_(program) {
     command->add_flag("--json", json_, "JSON in place of text");
     if (command != show_) {
       command->add_flag("--csv", csv_, "CSV in place of text");
-      command->add_option("--kind", kind_, "fittings, surfaces or all")
-          ->check(CLI::IsMember({"all", kFittings, kSurfaces}));
+      command->add_option("--kind", kind_, "fittings, surfaces, spectra or all")
+          ->check(CLI::IsMember({"all", kFittings, kSurfaces, kSpectra}));
     }
     program.add_common_options(*command);
   }
@@ -102,8 +117,10 @@ void LookCommands::write_table(const Table& table) {
 }
 
 void LookCommands::list() {
-  const auto entries = entries_of(databases_to_list(db_), kind_);
-  const auto lines = read_lines(entries, false);
+  const DatabaseSearch search = databases_to_list(db_);
+  if (kind_ != kSpectra) refuse_no_database(search);
+  const auto entries = entries_of(search, kind_, db_.empty());
+  const auto lines = read_lines(entries, search, false);
   if (json_ || csv_) {
     Table table({"name", "kind", "flux_lm", "max_intensity_cd", "watts", "reflectance_or_transmittance",
                  "cct_K", "colour", "source"});
@@ -131,8 +148,10 @@ void LookCommands::list() {
 }
 
 Exit LookCommands::check() {
-  const auto entries = entries_of(databases_to_list(db_), kind_);
-  const auto lines = read_lines(entries, true);
+  const DatabaseSearch search = databases_to_list(db_);
+  refuse_no_database(search);
+  const auto entries = entries_of(search, kind_, false);
+  const auto lines = read_lines(entries, search, true);
   Table table({"name", "kind", "state", "problem"});
   std::size_t n_bad = 0;
   std::string text;
@@ -146,7 +165,8 @@ Exit LookCommands::check() {
     table.add(
         {entries[i].name, lines[i].kind, std::string(good ? "good" : "bad"), first_line(lines[i].problem)});
   }
-  text += fmt::format("{} entries, {} with a problem\n", entries.size(), n_bad);
+  text += fmt::format("{} {}, {} with a problem\n", entries.size(), entries.size() == 1 ? "entry" : "entries",
+                      n_bad);
   if (json_ || csv_) {
     write_table(table);
   } else {
@@ -162,8 +182,10 @@ void LookCommands::show() {
   program_.warn(warnings);
   if (const auto* record = found.fitting())
     show_fitting(*record);
+  else if (const auto* finish = found.finish())
+    show_surface(*finish);
   else
-    show_surface(*found.finish());
+    show_spectrum(*found.spectrum());
 }
 
 void LookCommands::show_fitting(const FittingRecord& record) {
@@ -191,14 +213,14 @@ void LookCommands::show_fitting(const FittingRecord& record) {
       {"cct_K", entry.spectrum ? json_number(cct_of(*entry.spectrum)) : nlohmann::ordered_json()},
       {"lamp_factor", entry.lamp_factor},
       {"maintenance_factor", entry.maintenance_factor},
-      {"format", p.format_year == 0 ? "EULUMDAT" : fmt::format("LM-63-{}", p.format_year)},
+      {"format", p.format},
       {"manufacturer", p.keyword("MANUFAC")},
       {"catalogue", p.keyword("LUMCAT")},
       {"file", entry.file},
       {"source", entry.source},
       {"licence", entry.licence}};
   program_.stage(kWritingStage);
-  write_file(output_, json_ ? json.dump(1) + "\n" : lines_of(json));
+  write_file(output_, json_ ? json_text(json) : lines_of(json));
 }
 
 void LookCommands::show_surface(const Finish& finish) {
@@ -214,7 +236,35 @@ void LookCommands::show_surface(const Finish& finish) {
                                  {"cie_y", json_number(xy.y)},
                                  {"illuminant", "d65"}};
   program_.stage(kWritingStage);
-  write_file(output_, json_ ? json.dump(1) + "\n" : lines_of(json));
+  write_file(output_, json_ ? json_text(json) : lines_of(json));
+}
+
+void LookCommands::show_spectrum(const SpectrumEntry& spectrum) {
+  const auto light = light_responses(spectrum.power);
+  const auto white = white_point(light.xyz);
+  const auto rendering = colour_rendering(light);
+  const Vec2 xy = xy_of(light.xyz);
+  const auto& points = spectrum.power.points();
+  const auto peak = std::max_element(points.begin(), points.end(),
+                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  const nlohmann::ordered_json json = {
+      {"name", spectrum.name},
+      {"kind", "spectrum"},
+      {"title", spectrum.title},
+      {"cct_K", json_number(white.cct_K)},
+      {"duv", json_number(white.duv)},
+      {"ra", json_number(rendering.ra)},
+      {"r9", json_number(rendering.r[8])},
+      {"cie_x", json_number(xy.x)},
+      {"cie_y", json_number(xy.y)},
+      {"efficacy_lm_W", kMaxEfficacy_lm_W * light.xyz.y / light.power},
+      {"melanopic_der", melanopic_edi_lx(light.melanopic) / (kMaxEfficacy_lm_W * light.xyz.y)},
+      {"peak_nm", peak->first},
+      {"wavelengths_nm", {points.front().first, points.back().first}},
+      {"source", spectrum.source},
+      {"licence", spectrum.licence}};
+  program_.stage(kWritingStage);
+  write_file(output_, json_ ? json_text(json) : lines_of(json));
 }
 
 }  // namespace dim

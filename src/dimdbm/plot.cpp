@@ -13,6 +13,7 @@
 #include "image/spectrum_diagram.hpp"
 #include "image/writer.hpp"
 #include "spectrum/named_spectra.hpp"
+#include "spectrum/white.hpp"
 
 namespace dim {
 namespace {
@@ -37,9 +38,21 @@ SpectralCurve reflectance_curve(const Finish& finish) {
   return SpectralCurve(std::move(points));
 }
 
+Drawing drawing_of_light(const SpectrumEntry& spectrum) {
+  const Vec3 xyz = white_xyz(spectrum.power);
+  const double cct_K = white_point(xyz).cct_K, most = spectrum.power.max();
+  auto points = spectrum.power.points();
+  for (auto& [nm, power] : points) power /= most;
+  return spectrum_diagram({{"power", SpectralCurve(std::move(points))}}, display_colour(xyz),
+                          std::isnan(cct_K)
+                              ? spectrum.name + ": relative power"
+                              : fmt::format("{}: relative power, {:.0f} K", spectrum.name, cct_K));
+}
+
 Drawing drawing_of(const Found& found) {
   if (const auto* record = found.fitting())
     return polar_diagram(IntensityTable(record->photometry.distribution), title_of(*record));
+  if (const auto* spectrum = found.spectrum()) return drawing_of_light(*spectrum);
   const Finish& finish = *found.finish();
   const Vec3 xyz = finish_xyz(finish, find_spectrum("d65"));
   const bool glazing = finish.kind == FinishKind::glazing;
@@ -54,9 +67,11 @@ Drawing drawing_of(const Found& found) {
 }  // namespace
 
 PlotCommand::PlotCommand(Program& program) : program_(program) {
-  plot_ = program.add_command("plot", "Polar curve of a fitting, spectrum of a surface: SVG or PNG",
+  plot_ = program.add_command("plot", "Polar curve of a fitting, spectrum of a surface or a lamp: SVG or PNG",
                               "  dimdbm plot troffer-3600 -o troffer.svg");
-  plot_->add_option("ENTRY|FILE", what_, "Entry, or an .ies, .ldt or entry's .toml file")
+  plot_
+      ->add_option("ENTRY|FILE", what_,
+                   "Entry, spectrum by name, or an .ies, .ldt, .xml or entry's .toml file")
       ->required()
       ->type_name("");
   plot_
@@ -76,7 +91,9 @@ bool PlotCommand::run() {
   if (!png && !svg) throw UsageError("-o '" + output_ + "': the name must end in .svg or .png");
   program_.check_output(output_, {what_});
   Warnings warnings;
-  const Drawing drawing = drawing_of(find_entry_or_file(database_search(db_, "-"), what_, warnings));
+  const Found found = find_entry_or_file(database_search(db_, "-"), what_, warnings);
+  program_.check_output(output_, found.files());
+  const Drawing drawing = drawing_of(found);
   program_.warn(warnings);
   program_.stage(kWritingStage);
   if (svg) {

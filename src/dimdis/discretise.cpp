@@ -1,9 +1,14 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "common/counted.hpp"
+#include "common/database_option.hpp"
+#include "common/option_checks.hpp"
 #include "dimdis/options.hpp"
 #include "network/network_storage.hpp"
+#include "network/point_places.hpp"
 
 namespace dim {
 namespace {
@@ -14,23 +19,6 @@ PatchGrid patches_of(const std::string& text, const std::string& option) {
   } catch (const InputError& error) {
     throw UsageError(error.what());
   }
-}
-
-void warn_about_points(const Program& program, const Zone& zone, const Network& network) {
-  Warnings warnings;
-  for (const auto& set : zone.point_sets) {
-    std::size_t n_inside = 0;
-    for (std::size_t p = set.first; p < set.first + set.count; ++p)
-      n_inside += network.point_back_fraction[p] > 0.5;
-    if (n_inside > 0)
-      warnings.push_back(
-          {{},
-           fmt::format("'{}': {} of {} points see mostly the backs of surfaces; they seem to lie inside an "
-                       "obstruction or outside the zone",
-                       set.name, n_inside, set.count),
-           "move the points or the plane"});
-  }
-  program.warn(warnings);
 }
 
 }  // namespace
@@ -59,6 +47,7 @@ Exit DiscretiseCommand::run() {
   if (output_.empty()) throw UsageError("no output given; use -o ROOM.rays, or -o - for a pipe");
   refuse_terminal(output_, "a ray network");
   program_.check_output(output_, {input_.path});
+  refuse_database_file(output_, database_search(input_.database, input_.path));
   NetworkOptions options;
   options.patches = patches_of(patches_, "--patches");
   const bool automatic = point_patches_ == "auto";
@@ -68,28 +57,34 @@ Exit DiscretiseCommand::run() {
   options.seed = seed_;
 
   program_.stage("zone");
-  const Zone zone = read_zone(program_, input_);
+  Zone zone = read_zone(program_, input_);
   program_.stage("cells");
   const Cells cells(zone);
+  if (zone.points.empty())
+    refuse_without_effect(program_.app(), {"--point-patches"}, "in a zone without measuring points");
   if (automatic) options.point_patches = automatic_point_patches(zone.points.size());
   program_.stage("rays");
   const Job job = program_.job();
   const Network network = build_network(zone, cells, options, job);
+  judge_points(network, zone);
   program_.stage(kWritingStage);
   const std::string hash = save_rays(output_, zone, cells, network, job);
   program_.stage("");
 
-  warn_about_points(program_, zone, network);
+  program_.warn(left_out_warnings(zone));
   const std::size_t n_rays = network.sinks.n_rays() + network.point_sinks.n_rays();
-  program_.say_verbose(fmt::format("{} surfaces, {} cells x {} patches, {} points x {} patches: {} rays",
-                                   zone.surfaces.size(), cells.size(), options.patches.n_patches(),
-                                   zone.points.size(), options.point_patches.n_patches(), n_rays));
+  program_.say_verbose(fmt::format(
+      "{}, {} x {}, {} x {}: {}", counted(zone.surfaces.size(), "surface"), counted(cells.size(), "cell"),
+      counted(options.patches.n_patches(), "patch", "patches"), counted(zone.points.size(), "point"),
+      counted(options.point_patches.n_patches(), "patch", "patches"), counted(n_rays, "ray")));
   auto& stats = program_.stats();
   stats["zone"] = zone.name;
   stats["surfaces"] = zone.surfaces.size();
   stats["cells"] = cells.size();
   stats["patches"] = options.patches.n_patches();
   stats["points"] = zone.points.size();
+  stats["points_left_out"] =
+      std::count_if(zone.points.begin(), zone.points.end(), [](const auto& point) { return !point.valid; });
   stats["point_patches"] = options.point_patches.n_patches();
   stats["rays"] = n_rays;
   stats["escaped_rays"] = network.n_escaped_rays;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/atomic_file.hpp"
+#include "common/counted.hpp"
 #include "common/in_file.hpp"
 #include "common/table.hpp"
 #include "dimdis/options.hpp"
@@ -28,7 +29,8 @@ GeometryCommands::GeometryCommands(Program& program) : program_(program) {
   draw_->add_option("--view", view_, "View of the zone file; its first one unless said")->type_name("NAME");
 }
 
-CLI::App* GeometryCommands::add(const std::string& name, const std::string& what, const std::string& example) {
+CLI::App* GeometryCommands::add(const std::string& name, const std::string& what,
+                                const std::string& example) {
   auto* command = program_.add_command(name, what, example);
   add_zone_options(*command, input_, true);
   if (name != "check")
@@ -54,9 +56,9 @@ bool GeometryCommands::run(Exit& status) {
 Exit GeometryCommands::check() {
   const Zone zone = read_zone(program_, input_);
   const Cells cells(zone);
-  program_.say(fmt::format("zone '{}' is good: {} surfaces, {} cells, {} measuring points, {} views, {}",
-                           zone.name, zone.surfaces.size(), cells.size(), zone.points.size(),
-                           zone.views.size(),
+  program_.say(fmt::format("zone '{}' is good: {}, {}, {}, {}, {}", zone.name,
+                           counted(zone.surfaces.size(), "surface"), counted(cells.size(), "cell"),
+                           counted(zone.points.size(), "measuring point"), counted(zone.views.size(), "view"),
                            zone.closed ? fmt::format("{:.6g} m3", zone_volume_m3(zone)) : "not closed"));
   return Exit::done;
 }
@@ -96,9 +98,10 @@ Exit GeometryCommands::factors() {
   }
   write_file(output_, table.csv());
   program_.stage("");
-  program_.say(fmt::format("reciprocity of the rays {:.2e} of the area (RMS {:.2e}); rows add up to 1 within {:.2e}; at "
-                           "most {:.4f} of a surface's view leaves the zone",
-                           factors.reciprocity_total, factors.reciprocity_rms, worst_row, escaped));
+  program_.say(fmt::format(
+      "reciprocity of the rays {:.2e} of the area (RMS {:.2e}); rows add up to 1 within {:.2e}; at "
+      "most {:.4f} of a surface's view leaves the zone",
+      factors.reciprocity_total, factors.reciprocity_rms, worst_row, escaped));
   return Exit::done;
 }
 

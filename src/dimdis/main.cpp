@@ -3,7 +3,7 @@
 int main(int argc, char** argv) {
   dim::Program program("dimdis", "Turns a zone into cells, hemisphere patches and a ray network.",
                        "  dimdis office.zone.toml -o office.rays\n  dimdis areas office.zone.toml",
-                       "file formats: zone/1, rays/1");
+                       "file formats: zone/1, rays/2");
   dim::DiscretiseCommand discretise(program);
   dim::GeometryCommands geometry(program);
   return program.run(argc, argv, [&] {

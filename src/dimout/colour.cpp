@@ -32,11 +32,9 @@ ColourCommand::ColourCommand(Program& program) : program_(program) {
 bool ColourCommand::run() {
   if (!colour_->parsed()) return false;
   program_.check_output(input_.output, {input_.path});
-  const LuminanceDatabase database(input_.path, program_.job());
+  const LuminanceDatabase database = open_database(program_, input_);
   const LightColours colours(database);
-  if (!colours.has_spectra())
-    program_.say(
-        "the file holds no spectra: Ra and melanopic EDI are left empty; make it again with this dimray");
+  program_.warn(colours.left_out(mix_of(database, input_)));
   if (surfaces_)
     surfaces(database, colours);
   else

@@ -6,6 +6,7 @@
 
 #include "common/program.hpp"
 #include "common/table.hpp"
+#include "image/writer.hpp"
 #include "result/luminous.hpp"
 
 namespace dim {
@@ -14,6 +15,7 @@ namespace dim {
 struct DatabaseInput {
   std::string path;
   std::vector<std::string> mix;
+  std::vector<std::string> spectra;
   std::string output = "-";
   bool by_source = false;
   bool json = false;
@@ -23,6 +25,9 @@ struct DatabaseInput {
 CLI::App* add_command(Program& program, DatabaseInput& input, const std::string& name,
                       const std::string& what, const std::string& example);
 void add_table_options(CLI::App& command, DatabaseInput& input, bool by_source);
+
+/// The database, its sources' spectra replaced where --spectrum asks for it.
+LuminanceDatabase open_database(Program& program, const DatabaseInput& input);
 
 /// The factors that --mix asks for.
 Mix mix_of(const LuminanceDatabase& database, const DatabaseInput& input);
@@ -73,6 +78,7 @@ class ImageCommand {
 
  private:
   void render();
+  void refuse_idle_options(PictureFormat format) const;
   View chosen_view(const Zone& zone) const;
 
   Program& program_;

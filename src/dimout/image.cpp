@@ -105,11 +105,22 @@ View ImageCommand::chosen_view(const Zone& zone) const {
   return view;
 }
 
+void ImageCommand::refuse_idle_options(PictureFormat format) const {
+  if (format != PictureFormat::png)
+    refuse_without_effect(*image_, {"--tone", "--white", "--screen-white", "--quantity", "--range", "--log"},
+                          "with .hdr and .exr, which hold physical values");
+  if (tone_ != "falsecolour")
+    refuse_without_effect(*image_, {"--quantity", "--range", "--log"}, "without --tone falsecolour");
+  if (tone_ != "linear") refuse_without_effect(*image_, {"--white"}, "without --tone linear");
+  if (tone_ != "stevens") refuse_without_effect(*image_, {"--screen-white"}, "without --tone stevens");
+}
+
 void ImageCommand::render() {
   const auto format = picture_format_of(input_.output);
   if (!format) throw UsageError("-o '" + input_.output + "': the name must end in .png, .hdr or .exr");
   if (spectral_ && *format != PictureFormat::exr)
     throw UsageError("--spectral: -o '" + input_.output + "' must end in .exr, which alone holds spectra");
+  refuse_idle_options(*format);
   program_.check_output(input_.output, {input_.path});
   PictureOptions picture;
   picture.format = *format;
@@ -124,7 +135,7 @@ void ImageCommand::render() {
   picture.false_colour.title = quantity_ == "illuminance" ? "Illuminance" : "Luminance";
 
   program_.stage("read");
-  const LuminanceDatabase database(input_.path, program_.job());
+  const LuminanceDatabase database = open_database(program_, input_);
   const Cells cells(database.zone());
   RenderOptions options;
   options.view = chosen_view(database.zone());
@@ -138,7 +149,8 @@ void ImageCommand::render() {
   const Raster raster = render_view(database, cells, mix, options, program_.job());
   picture.linear.scene_white_xyz = scene_white(database, mix);
   program_.stage(kWritingStage);
-  const auto report = write_picture(executable_folder() + "/../lib/dim", input_.output, raster, picture);
+  const auto report =
+      write_picture(executable_folder() + "/../lib/dim", input_.output, raster, picture, program_.job());
   program_.stage("");
   program_.warn(report.warnings);
   if (*format == PictureFormat::png && picture.tone != Tone::false_colour)

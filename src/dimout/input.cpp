@@ -1,7 +1,12 @@
 #include "base/atomic_file.hpp"
+#include "base/input_file.hpp"
 #include "common/in_file.hpp"
 #include "common/option_checks.hpp"
+#include "database/spectrum_csv.hpp"
+#include "database/spectrum_text.hpp"
 #include "dimout/commands.hpp"
+#include "spectrum/named_spectra.hpp"
+#include "transport/auto_bands.hpp"
 
 namespace dim {
 
@@ -18,6 +23,15 @@ CLI::App* add_command(Program& program, DatabaseInput& input, const std::string&
       ->check(pair_with_factor("NAME=FACTOR"))
       ->default_str("")
       ->group("Input");
+  command
+      ->add_option("--spectrum", input.spectra,
+                   "Another spectrum for a source or a group: a name (led-4000), [[nm, value], ...] or a CSV "
+                   "file; repeatable")
+      ->type_name("NAME=SPECTRUM")
+      ->allow_extra_args(false)
+      ->check(pair_of("NAME=SPECTRUM"))
+      ->default_str("")
+      ->group("Input");
   program.add_common_options(*command, name == "grid");
   return command;
 }
@@ -31,6 +45,58 @@ void add_table_options(CLI::App& command, DatabaseInput& input, bool by_source) 
             "--by", [&input](const std::string&) { input.by_source = true; },
             "Each source apart: --by source")
         ->check(CLI::IsMember({"source"}));
+}
+
+namespace {
+
+// A curve written out, a file of one, or a name.
+SpectralCurve spectrum_given(const std::string& text, const std::string& option) {
+  constexpr std::string_view kTable = ".csv";
+  constexpr std::size_t kMostBytes = 64 << 20;
+  if (text.size() > kTable.size() && text.ends_with(kTable)) {
+    const auto curve = read_spectrum_csv(read_text_file(text, kMostBytes), text, WavelengthUnit::found,
+                                         ValueUnit::relative)
+                           .curves.front();
+    if (!(curve.integral(kVisibleLow_nm, kVisibleHigh_nm) > 0.0))
+      throw InputError({{text, 0, 0}, "no power at any visible wavelength (380..780 nm)", ""});
+    return curve;
+  }
+  return in_file(option, [&] {
+    return text.starts_with('[') ? read_spectrum_text(text) : find_spectrum(text);
+  });
+}
+
+void set_spectra(LuminanceDatabase& database, const DatabaseInput& input) {
+  for (const auto& text : input.spectra) {
+    const auto equals = text.find('=');
+    const auto sources = sources_named(text.substr(0, equals), database.sources(), "--spectrum");
+    const SpectralCurve curve = spectrum_given(text.substr(equals + 1), "--spectrum " + text);
+    for (const std::size_t s : sources) database.set_spectrum(s, curve);
+  }
+}
+
+// Bands that were right for the lamps' own spectra may not be for others.
+Warnings too_few_bands(const LuminanceDatabase& database) {
+  LampSpectra lamps;
+  for (std::size_t s = 0; s < database.sources().size(); ++s) {
+    lamps.spectra.push_back(database.spectra()[s].curve);
+    lamps.flux_lm.push_back(database.sources()[s].flux_lm);
+  }
+  const BandChoice choice = judged_bands(database.zone(), lamps, database.bands());
+  if (choice.is_enough()) return {};
+  return {{{},
+           "--spectrum: with these spectra " + in_words(choice),
+           "for better figures run dimray --bands auto with the spectra in the lights file"}};
+}
+
+}  // namespace
+
+LuminanceDatabase open_database(Program& program, const DatabaseInput& input) {
+  LuminanceDatabase database(input.path, program.job());
+  if (input.spectra.empty()) return database;
+  in_file(input.path, [&] { set_spectra(database, input); });
+  program.warn(too_few_bands(database));
+  return database;
 }
 
 Mix mix_of(const LuminanceDatabase& database, const DatabaseInput& input) {

@@ -61,7 +61,7 @@ bool TableCommands::run() {
 }
 
 void TableCommands::info() {
-  const LuminanceDatabase database(input_.path, program_.job());
+  const LuminanceDatabase database = open_database(program_, input_);
   const Zone& zone = database.zone();
   nlohmann::ordered_json json = {{"zone", zone.name},
                                  {"surfaces", zone.surfaces.size()},
@@ -93,7 +93,7 @@ void TableCommands::info() {
 }
 
 void TableCommands::surfaces() {
-  const LuminanceDatabase database(input_.path, program_.job());
+  const LuminanceDatabase database = open_database(program_, input_);
   const Cells cells(database.zone());
   Table table(columns_with_source(input_, {"surface", "area_m2", "illuminance_mean_lx", "illuminance_min_lx",
                                            "illuminance_max_lx", "luminance_mean_cd_m2", "cie_x", "cie_y"}));
@@ -112,7 +112,7 @@ void TableCommands::surfaces() {
 }
 
 void TableCommands::cells() {
-  const LuminanceDatabase database(input_.path, program_.job());
+  const LuminanceDatabase database = open_database(program_, input_);
   const Zone& zone = database.zone();
   const Cells cells(zone);
   const auto appearance = cell_appearance(database, cells, mix_of(database, input_));
@@ -127,7 +127,7 @@ void TableCommands::cells() {
 }
 
 void TableCommands::grid() {
-  const LuminanceDatabase database(input_.path, program_.job());
+  const LuminanceDatabase database = open_database(program_, input_);
   const Zone& zone = database.zone();
   const auto sets = chosen_sets(zone, plane_, input_.path);
   if (sets.empty()) program_.say("the zone has no measuring planes or sensors");
@@ -148,13 +148,14 @@ void TableCommands::grid() {
 }
 
 void TableCommands::grid_stats(const LuminanceDatabase& database, const std::vector<PointSet>& sets) {
-  Table table(columns_with_source(input_, {"plane", "points", "min_lx", "mean_lx", "max_lx", "u0", "ud"}));
+  Table table(columns_with_source(
+      input_, {"plane", "points", "min_lx", "mean_lx", "max_lx", "u0", "ud", "left_out"}));
   for_sources(database, input_, [&](const std::string& source, const Mix& mix) {
     const auto lx = point_illuminance_lx(database, mix);
     for (const auto& set : sets) {
-      const auto s = grid_statistics(lx, set);
-      table.add(row_with_source(
-          source, {set.name, static_cast<long>(s.n_points), s.min_lx, s.mean_lx, s.max_lx, s.u0, s.ud}));
+      const auto s = grid_statistics(lx, database.zone().points, set);
+      table.add(row_with_source(source, {set.name, static_cast<long>(s.n_points), s.min_lx, s.mean_lx,
+                                         s.max_lx, s.u0, s.ud, static_cast<long>(s.n_left_out)}));
     }
   });
   write_table(program_, table, input_);

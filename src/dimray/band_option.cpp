@@ -71,21 +71,24 @@ void add_bands_option(CLI::App& app, std::string& text) {
   };
   app.add_option(
          "--bands", text,
-         "Wavebands over 380-780 nm: a number of equal ones, their edges 380,480,...,780, or auto: the "
-         "fewest that keep colours within dE00 0.5 (auto:DE00 for another) and luminances within 0.2 %")
+         "Wavebands over 380-780 nm: auto, the fewest that keep colours within dE00 0.5 (auto:DE00 for "
+         "another) and luminances within 0.2 %; a number of equal ones; or their edges 380,480,...,780")
       ->check(CLI::Validator(check, ""))
       ->type_name("auto|N|EDGES")
       ->group("Accuracy");
 }
 
-Bands chosen_bands(Program& program, const std::string& text, const Zone& zone, const Lights& lights) {
-  const auto accuracy = automatic(text);
-  if (!accuracy) return *bands_of(text);
-  const BandChoice choice = auto_bands(zone, lights, *accuracy);
-  program.say(fmt::format("{} waveband{}: colours within dE00 {:.2f}, luminances within {:.2f} %",
-                          choice.bands.size(), choice.bands.size() == 1 ? "" : "s", choice.delta_e_2000,
-                          100.0 * choice.luminance));
-  return choice.bands;
+BandChoice chosen_bands(Program& program, const std::string& text, const Zone& zone, const Lights& lights) {
+  const LampSpectra lamps = lamp_spectra(lights);
+  if (const auto accuracy = automatic(text)) {
+    BandChoice choice = auto_bands(zone, lamps, *accuracy);
+    if (choice.bands.size() > 1) program.say(in_words(choice));
+    return choice;
+  }
+  BandChoice choice = judged_bands(zone, lamps, *bands_of(text));
+  if (!choice.is_enough())
+    program.warn({{{}, in_words(choice), "--bands auto takes as many as colours need"}});
+  return choice;
 }
 
 }  // namespace dim

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "common/counted.hpp"
+
 namespace dim {
 namespace {
 
@@ -9,7 +11,7 @@ std::string list(const std::vector<std::string>& names) { return fmt::format("{}
 
 }  // namespace
 
-void explain(Program& program, const ModelPlan& plan) {
+void explain(Program& program, const ModelPlan& plan, const BandChoice& bands) {
   const auto say = [&](const std::string& line) { program.say("explain: " + line); };
   if (!plan.diffusing.empty()) say("diffusing finishes: " + list(plan.diffusing));
   if (plan.off_specular.empty())
@@ -22,20 +24,23 @@ void explain(Program& program, const ModelPlan& plan) {
   else {
     say(fmt::format("mirrors: {}; rays go on there ({:.2g} % of their light met too many)",
                     list(plan.mirrors), 100.0 * plan.mirror_rays_cut_off));
-    say(
-        fmt::format("{} images of luminaires, on cells {} deep, {:.2g} % of a source's light followed from "
-                    "the last on by "
-                    "{} rays; at points good to {:.2g} % (--mirror-depth)",
-                    plan.n_images, plan.mirror_depth, 100.0 * plan.mirror_rays_share, plan.n_mirror_rays,
-                    100.0 * plan.images_uncertain));
+    say(fmt::format(
+        "{} images of luminaires, on cells {} deep, {:.2g} % of a source's light followed from the last on by "
+        "{} rays; at points good to {:.2g} % (--mirror-depth)",
+        plan.n_images, plan.mirror_depth, 100.0 * plan.mirror_rays_share, plan.n_mirror_rays,
+        100.0 * plan.images_uncertain));
   }
-  say(plan.n_classes < plan.n_bands
-          ? fmt::format("{} bands, of which {} reflect differently: {} solved (--full bands)", plan.n_bands,
-                        plan.n_classes, plan.n_classes)
-          : (plan.n_bands == 1 ? std::string("1 band")
-                               : fmt::format("{} bands, solved apart", plan.n_bands)));
-  say(fmt::format("{} luminaires in {} sources (--combine), {} spectra", plan.n_luminaires, plan.n_sources,
-                  plan.n_spectra));
+  say(in_words(bands));
+  if (plan.n_bands > 1)
+    say(plan.n_classes < plan.n_bands
+            ? fmt::format("{} of the wavebands reflect differently and are solved (--full bands)",
+                          plan.n_classes)
+            : "all wavebands reflect differently and are solved");
+  say(fmt::format("{} in {} (--combine), {}", counted(plan.n_luminaires, "luminaire"),
+                  counted(plan.n_sources, "source"), counted(plan.n_spectra, "spectrum", "spectra")));
+  say(plan.n_bodies == 0 ? std::string("no luminaire has a body: the network's rays are as they are stored")
+                         : fmt::format("{} luminaire bodies with {} cells stand among the network's rays",
+                                       plan.n_bodies, plan.n_body_cells));
   if (!plan.without_spectrum.empty())
     say("fittings without a spectrum, taken as equal-energy white: " + list(plan.without_spectrum));
   say("no glazing: no sky");
@@ -43,7 +48,8 @@ void explain(Program& program, const ModelPlan& plan) {
           ? "surfaces may hide each other: visibility of luminaires is tested"
           : "convex and empty zone: visibility of luminaires is not tested (--full visibility)");
   say(fmt::format("{} bytes a ray for its sink", plan.bytes_per_sink));
-  if (plan.n_black_cells > 0) say(fmt::format("{} cells reflect nothing", plan.n_black_cells));
+  if (plan.n_black_cells > 0)
+    say(counted(plan.n_black_cells, "cell reflects nothing", "cells reflect nothing"));
 }
 
 }  // namespace dim

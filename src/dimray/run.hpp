@@ -17,9 +17,8 @@ class SolveCommand {
   Exit run();
 
  private:
-  SimulationOptions options(const Zone& zone, const Lights& lights);
+  SimulationOptions options(const Bands& bands) const;
   Lights lights(const Zone& zone, const DatabaseSearch& search);
-  Exit report(const RaysFile& rays, const Solution& solution, const std::string& hash);
 
   Program& program_;
   std::string rays_;
@@ -30,7 +29,7 @@ class SolveCommand {
   std::string database_;
   std::string combine_ = "each";
   double tolerance_ = GatherOptions{}.tolerance;
-  std::string bands_ = "1";
+  std::string bands_ = "auto";
   std::string solver_ = "gather";
   double threshold_ = TrackOptions{}.threshold;
   int mirror_depth_ = -1;

@@ -87,8 +87,8 @@ with_header() {
   for kind in rays lum; do
     with_header room.$kind 's/^kind/kind/'
     cmp room.$kind edited || skip "xxhsum signs differently here"
-    with_header room.$kind 's/^version .*/version 2/'
-    $kind "edited: written by format 2, this program reads 1\.\.1" edited
+    with_header room.$kind 's/^version .*/version 9/'
+    $kind "edited: written by format 9, this program reads [12]$" edited
     with_header room.$kind 's/^kind .*/kind other/'
     $kind "edited: is a DIM file of kind 'other'; expected" edited
     with_header room.$kind 's/^size .*/size 9000000000000000000/'

@@ -32,7 +32,7 @@ lights() { refused "$1" "$2" dimray room.rays "$3" -o x.lum; }
     $kind 3 "empty:1:1: not a DIM file.*dim = \"$kind/1\"" empty
     $kind 3 "picture.png:1:1: .*UTF-8" picture.png
     $kind 3 "text:1:" text
-    $kind 3 "room.rays:[0-9]+:[0-9]+" room.rays
+    $kind 3 "room.rays: is a ray network, not a $kind" room.rays
     sed "s|^dim .*|dim = \"$kind/2\"|" room.$kind.toml > newer.toml
     $kind 3 "newer.toml:[0-9]+:[0-9]+: '$kind/2' is newer" newer.toml
     sed "s|^dim .*|dim = \"$kind/x\"|" room.$kind.toml > odd.toml
@@ -254,7 +254,7 @@ fitting() {
   printf 'file = "nothing.ies"\n' > $entry
   use "troffer-3600.toml:1:8: .*nothing.ies: cannot read"
   printf 'file = "../../picture.png"\n' > $entry
-  use "troffer-3600.toml:1:8: .*not an .ies or .ldt file"
+  use "troffer-3600.toml:1:8: .*not an .ies, .ldt or .xml file"
   truncate -s 1G $entry
   use "troffer-3600.toml: .*1 GiB"
   surface=db/surfaces/paint-white-matt.toml

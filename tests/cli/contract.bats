@@ -33,8 +33,8 @@ setup() { load common; enter_copy; }
   [ "$(head1 dimout cells room.lum)" = surface,cell,x_m,y_m,z_m,area_m2,illuminance_lx,luminance_cd_m2 ]
   [ "$(head1 dimout grid room.lum)" = plane,point,x_m,y_m,z_m,nx,ny,nz,illuminance_lx ]
   [ "$(head1 dimout grid room.lum --by source)" = source,plane,point,x_m,y_m,z_m,nx,ny,nz,illuminance_lx ]
-  [ "$(head1 dimout grid room.lum --stats)" = plane,points,min_lx,mean_lx,max_lx,u0,ud ]
-  [ "$(head1 dimout grid room.lum --stats --by source)" = source,plane,points,min_lx,mean_lx,max_lx,u0,ud ]
+  [ "$(head1 dimout grid room.lum --stats)" = plane,points,min_lx,mean_lx,max_lx,u0,ud,left_out ]
+  [ "$(head1 dimout grid room.lum --stats --by source)" = source,plane,points,min_lx,mean_lx,max_lx,u0,ud,left_out ]
   [ "$(head1 dimout colour room.lum)" = plane,point,x_m,y_m,z_m,illuminance_lx,cie_x,cie_y,cie_u_prime,cie_v_prime,cct_K,duv,ra,melanopic_edi_lx ]
   [ "$(head1 dimout colour room.lum --surfaces --by source)" = source,surface,illuminance_mean_lx,cie_x,cie_y,cie_u_prime,cie_v_prime,cct_K,duv,ra,melanopic_edi_lx ]
   [ "$(head1 dimdis areas room.zone.toml)" = surface,area_m2,cells ]
@@ -89,7 +89,7 @@ near() { awk -v a="$1" -v b="$2" 'BEGIN { d = a - b; if (d < 0) d = -d; exit !(d
 
 @test "sources add up, and --mix scales a source, a group, a luminaire" {
   all=$(mean room.lum)
-  by=$(dimout grid room.lum --plane workplane --stats --by source | awk -F, 'NR > 1 { s += $(NF - 3) } END { printf "%.9g", s }')
+  by=$(dimout grid room.lum --plane workplane --stats --by source | awk -F, 'NR > 1 { s += $(NF - 4) } END { printf "%.9g", s }')
   near "$by" "$all"
   spot=$(mean room.lum --mix panels=0)
   panels=$(mean room.lum --mix spot=0)
@@ -129,7 +129,8 @@ near() { awk -v a="$1" -v b="$2" 'BEGIN { d = a - b; if (d < 0) d = -d; exit !(d
   [ "$(dimout info b.lum --json | jq -c .bands_nm)" = "[380,480,580,780]" ]
   # The room is grey: one band, and the very same file.
   run --separate-stderr dimray room.rays room.lights.toml -o auto.lum --bands auto
-  [[ "$stderr" == *"1 waveband: colours within dE00 0.00, luminances within 0.00 %"* ]]
+  [ "$status" -eq 0 ]
+  [ "$(dimout info auto.lum --json | jq '.bands_nm | length')" -eq 2 ]
   dimray room.rays room.lights.toml -q -o one.lum --bands 1
   cmp auto.lum one.lum
   dimdis room.zone.toml -q --patches 64 --set 'finishes.dark={diffuse=[[380,0.05],[580,0.06],[620,0.6],[780,0.7]]}' -o red.rays
@@ -266,7 +267,7 @@ near() { awk -v a="$1" -v b="$2" 'BEGIN { d = a - b; if (d < 0) d = -d; exit !(d
   run --separate-stderr dimray coarse.rays room.lights.toml -o coarse.lum
   echo "$stderr"
   [ "$status" -eq 1 ]
-  [[ "$stderr" == *"energy balance is open"* ]]
+  [[ "$stderr" == *"the energy balance of source "*" is open by "* ]]
   dimout info coarse.lum > /dev/null
 }
 

@@ -111,6 +111,92 @@ setup() {
   [ ! -e mine ] || [ -z "$(find mine -type f)" ]
 }
 
+@test "a lamp's spectrum is added, shown, plotted, listed and lights a luminaire" {
+  printf 'nm;W\n380;-0,1\n480;40\n580;90\n680;30\n780;0\n' > own.csv
+  dimdbm add own.csv --kind lamp --db mine --quiet
+  grep -q '^power = \[' mine/spectra/own.toml
+  [ "$(dimdbm show own --db mine --json | jq '.kind == "spectrum" and .peak_nm == 580')" = true ]
+  dimdbm list --db mine --kind spectra | grep -q '^own .*spectrum'
+  dimdbm plot own --db mine -o own.svg --quiet
+  grep -q 'relative power' own.svg
+  dimdbm add axial.ies --db mine --spectrum own --quiet
+  dimdbm check --db mine
+  # To 2 K: a lamp's figures come from sums every 5 nm, a fitting's from the whole curve.
+  jq -n --argjson a "$(dimdbm show axial --db mine --json | jq .cct_K)" --argjson b "$(dimdbm show own --db mine --json | jq .cct_K)" \
+    -e '$a - $b | . * . < 4' > /dev/null
+  dimdbm export own --db mine --format toml | cmp - mine/spectra/own.toml
+  refused 3 "'led-4000' is a spectrum that DIM knows by itself" dimdbm add own.csv --kind lamp --name led-4000 --db mine
+  refused 3 "no visible light" dimdbm add <(printf '380 0\n780 0\n') --kind lamp --name dark --db mine
+  dimdbm remove own --db mine --quiet
+  refused 1 "" dimdbm check --db mine -o y.txt
+}
+
+@test "spectra that DIM knows are listed, shown and plotted" {
+  [ "$(dimdbm list --kind spectra --json | jq 'map(select(.name == "cie-a")) | .[0].cct_K | round')" = 2856 ]
+  dimdbm show fl-11 --json | jq -e '.ra > 82 and .ra < 84 and .kind == "spectrum"'
+  dimdbm plot led-4000 -o - | grep -q '4000 K'
+}
+
+@test "spectra in XML: TM-27, and that of a TM-33 file" {
+  printf '<IESTM2714><Header><Description>lamp</Description></Header><SpectralDistribution>
+    <SpectralData wavelength="400">1</SpectralData><SpectralData wavelength="500">3</SpectralData>
+    <SpectralData wavelength="600">2</SpectralData></SpectralDistribution></IESTM2714>' > lamp.spdx
+  dimdbm add lamp.spdx --db mine --quiet
+  dimdbm show lamp --db mine --json | jq -e '.title == "lamp" and .peak_nm == 500'
+  dimdbm add "$DIM_SOURCE/tests/data/photometry/tm33_18.xml" --kind lamp --name own --db mine --quiet
+  dimdbm show own --db mine --json | jq -e '.peak_nm == 500'
+}
+
+@test "a TM-33 file is shown and added with its spectrum, and exported" {
+  cp "$DIM_SOURCE/tests/data/photometry/tm33_18.xml" panel.xml
+  dimdbm show panel.xml --json | jq -e '.format == "TM-33-18" and .watts == 9.5 and .spectrum == "table" and (.flux_lm | round) == 785'
+  dimdbm add panel.xml --db mine --quiet
+  cmp panel.xml mine/fittings/panel.xml
+  dimdbm show panel --db mine --json | jq -e '.cct_K > 1000'
+  run --separate-stderr dimdbm export panel --db mine -o panel.ies
+  [[ "$stderr" == *"the spectrum is not written"* ]]
+  dimdbm show panel.ies --json | jq -e '(.flux_lm | round) == 785 and .manufacturer == "Wörk & Söhne"'
+}
+
+@test "a fitting is exported as new, its factors as keywords; --as-used multiplies them in" {
+  dimdbm add axial.ies --db mine --lumens 1000 --lamp-factor 0.9 --maintenance-factor 0.8 --quiet
+  dimdbm show axial --db mine --json | jq -e '(.flux_lm - 720) | fabs < 1e-9'
+  dimdbm export axial --db mine -o new.ies
+  grep -q '^\[_LAMP_FACTOR\] 0.9' new.ies
+  grep -q '^\[_MAINTENANCE_FACTOR\] 0.8' new.ies
+  dimdbm show new.ies --json | jq -e '(.flux_lm - 1000) | fabs < 1e-6'
+  dimdbm export axial --db mine --as-used -o used.ies
+  grep -q '^\[_APPLIED_MAINTENANCE_FACTOR\] 0.8' used.ies
+  dimdbm show used.ies --json | jq -e '(.flux_lm - 720) | fabs < 1e-6'
+  run --separate-stderr dimdbm export axial --db mine -o new.ldt
+  [[ "$stderr" == *"EULUMDAT has no place for the lamp and maintenance factors of 0.72: written as new"* ]]
+  dimdbm show new.ldt --quiet --json | jq -e '(.flux_lm - 1000) | fabs < 1e-6'
+  refused 2 "would be replaced" dimdbm export axial --db mine -o mine/fittings/axial.ies
+}
+
+@test "names and texts that are no UTF-8 become valid JSON" {
+  name=$(printf 'g\xff.ies')
+  cp axial.ies "$name"
+  dimdbm show "$name" --json | iconv -f UTF-8 -t UTF-8 > s.json
+  jq -e '.name | startswith("g")' s.json
+}
+
+@test "a list without a database says so" {
+  mkdir -p alone/bin
+  cp "$DIM_BIN/dimdbm" alone/bin
+  if [ -d /usr/local/share/dim/db ]; then skip "a database is installed"; fi
+  refused 3 "there is no database: neither a folder db/ here nor an installed one" alone/bin/dimdbm list
+  alone/bin/dimdbm list --kind spectra | grep -q cie-a
+}
+
+@test "options that change nothing are refused" {
+  refused 2 "watts has no effect with a spectrum" dimdbm add wood.csv --watts 3 --db mine
+  refused 2 "column has no effect with a photometric file" dimdbm add axial.ies --column 2 --db mine
+  printf 'file = "axial.ies"\nsource = "s"\n' > e.toml
+  refused 2 "title has no effect with an entry" dimdbm add e.toml --title x --db mine
+  refused 2 "as-used has no effect" dimdbm export axial.ies --as-used --format toml
+}
+
 @test "two processes at once lose nothing" {
   for i in $(seq 1 12); do
     dimdbm add axial.ies --db mine --name "lamp-$i" --quiet &

@@ -72,6 +72,11 @@ await_writing() {
     [[ "$stderr" == *"standard output: cannot write: No space left on device" ]]
     refused 4 "/dev/full: cannot write: No space left on device" $command -o /dev/full
   done
+  for program in dimdis dimray dimout dimdbm; do
+    for words in --help --version; do
+      refused 4 "$program: error: standard output: cannot write: No space left on device" bash -c "$program $words > /dev/full"
+    done
+  done
 }
 
 @test "a full file system: status 4, one line, the previous file whole" {
@@ -113,50 +118,76 @@ await_writing() {
   [ "$killed" -gt 0 ] || skip "written too quickly to be killed meanwhile"
 }
 
-@test "Ctrl-C ends a long run within a second, with status 130 and no file" {
+# Starts a command in the background as $child and waits until the words stand in its messages, or without words
+# until it answers signals.
+start() {
+  local words=$1
+  shift
+  # A shell's background job ignores SIGINT: env puts it back.
+  env --default-signal=INT,TERM "$@" 2> err &
+  child=$!
+  while kill -0 $child 2> /dev/null; do
+    if [ -n "$words" ]; then
+      ! grep -q "$words" err || return 0
+    elif grep -q '^SigCgt:.*[2367abef]$' /proc/$child/status 2> /dev/null; then
+      return 0
+    fi
+    sleep 0.01
+  done
+  cat err
+  return 1
+}
+
+# It ends with status 130 and leaves no file. Only a hang is a matter of time here; tests/bench/interrupt.sh measures.
+ends_at() {
+  local status=0
+  kill -"$1" $child
+  timeout 60 tail --pid=$child -s 0.05 -f /dev/null || kill -9 $child
+  wait $child || status=$?
+  echo "status $status: $(cat err)"
+  [ "$status" -eq 130 ]
+  grep -q "error: interrupted; nothing was written" err
+  no_trace
+}
+
+@test "Ctrl-C ends a long run with status 130 and no file" {
   for signal in INT TERM; do
-    # A shell's background job ignores SIGINT: env puts it back.
-    env --default-signal=INT dimdis room.zone.toml --cell 0.05 --patches 100x100 -o x.rays 2> err &
-    sleep 0.7
-    start=$(date +%s%N)
-    kill -$signal $!
-    status=0
-    wait $! || status=$?
-    took=$((($(date +%s%N) - start) / 1000000))
-    echo "status $status after $took ms: $(cat err)"
-    [ "$status" -eq 130 ]
-    [ "$took" -lt 1000 ]
-    grep -q "dimdis: error: interrupted; nothing was written" err
-    no_trace
+    start cells: dimdis room.zone.toml -v --cell 0.05 --patches 100x100 -o x.rays
+    ends_at $signal
   done
 }
 
-@test "Ctrl-C while dimray solves, while dimout draws, while a pipe is awaited" {
+@test "Ctrl-C while dimray solves" {
   dimdis room.zone.toml -q --cell 0.08 --patches 16x32 -o more.rays
-  env --default-signal=INT dimray more.rays room.lights.toml --set 'luminaire.P.count=[20,20]' \
-    --set 'luminaire.P.pitch=[0.05,0.05]' --tolerance 1e-12 -o x.lum 2> err &
-  interrupt $!
-  env --default-signal=INT dimout image room.lum --size 8000x6000 --samples 16 -o x.png 2> err &
-  interrupt $!
-  mkfifo pipe
-  env --default-signal=INT dimray pipe room.lights.toml -o x.lum 2> err &
-  interrupt $!
-  sleep 5 > pipe &
-  writer=$!
-  env --default-signal=INT dimray pipe room.lights.toml -o x.lum 2> err &
-  interrupt $!
-  kill $writer
+  start read: dimray more.rays room.lights.toml -v --set 'luminaire.P.count=[20,20]' --set 'luminaire.P.pitch=[0.05,0.05]' \
+    --tolerance 1e-12 -o x.lum
+  ends_at INT
 }
 
-interrupt() {
-  local status=0 start took
-  sleep 0.7
-  start=$(date +%s%N)
-  kill -INT "$1"
-  wait "$1" || status=$?
-  took=$((($(date +%s%N) - start) / 1000000))
-  echo "status $status after $took ms: $(cat err)"
-  [ "$status" -eq 130 ]
-  [ "$took" -lt 1000 ]
-  no_trace
+@test "Ctrl-C while dimout makes room for a picture, draws it, and codes it" {
+  start read: dimout image room.lum -v --size 8000x6000 --samples 16 -o x.png
+  ends_at INT
+  start read: dimout image room.lum -v --size 2000x1500 --samples 16 -o x.png
+  sleep 0.5
+  ends_at INT
+  start render: dimout image room.lum -v --size 4000x3000 --samples 1 --shade cell -o x.png
+  ends_at INT
+}
+
+@test "Ctrl-C while a result is written" {
+  start rays: dimdis room.zone.toml -v --cell 0.05 --patches 32x64 -o x.rays
+  ends_at INT
+}
+
+@test "Ctrl-C while a pipe is awaited" {
+  mkfifo pipe
+  start "" dimray pipe room.lights.toml -o x.lum
+  ends_at INT
+  sleep 60 > pipe &
+  writer=$!
+  start "" dimray pipe room.lights.toml -o x.lum
+  ends_at INT
+  kill $writer
+  start "" dimout grid room.lum -o pipe
+  ends_at INT
 }

@@ -83,6 +83,27 @@ is() {
   is "$(lux 'fitting = "tilt_file.ies"\nat = [1, 2, 2]\naim = [1, 0, 0]' 3 2 2 -1 0 0)" 20
 }
 
+@test "a table that begins at half a step lights what is below" {
+  # 100 cd from 2.5 to 87.5 degrees: straight below E = I / r2 = 25 lx.
+  printf 'IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 3 1 1 2 0 0 0\n1 1 10\n2.5 45 87.5\n0\n100 100 100\n' > half.ies
+  is "$(lux 'fitting = "half.ies"\nat = [2, 2, 2.5]' 2 2 0.5 0 0 1)" 25
+}
+
+@test "a TM-33 file lights as its table says, Length along C90" {
+  # C0 100 cd and C90 150 cd at 45 degrees; 1 m aside and 1 m below: E = I / 2^1.5. Without its opening.
+  keys='fitting = "tm33_18.xml"\nat = [2, 2, 2.5]'
+  cp "$DIM_SOURCE"/tests/data/photometry/tm33_18.xml .
+  is "$(lux "$keys" 3 2 1.5 0 0 1)" 35.355339
+  is "$(lux "$keys" 2 3 1.5 0 0 1)" 53.033009
+}
+
+@test "lumens of the lights file are those of the fitting as new" {
+  mkdir -p db/fittings
+  cp ldt_isym1.ldt db/fittings
+  printf 'file = "ldt_isym1.ldt"\nlamp_factor = 0.9\nmaintenance_factor = 0.8\n' > db/fittings/aged.toml
+  is "$(lux 'fitting = "aged"\nlumens = 1256.6370614\nat = [2, 2, 2.5]' 2 2 0.5 0 0 1)" 36
+}
+
 @test "an entry's lumens, lamp and maintenance factors multiply" {
   mkdir -p db/fittings
   cp ldt_isym1.ldt db/fittings

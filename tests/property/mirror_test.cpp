@@ -433,7 +433,6 @@ TEST_CASE("A picture shaded point by point shows what fine cells show", "[mirror
   // Direct light at each pixel in place of the cells' own, images as deep as the solution had them, what rays
   // carried on from there with the rest.
   const auto depth = GENERATE(std::optional<int>(0), std::optional<int>(1), std::optional<int>());
-  const files_test::Folder folder;
   const auto picture = [&](double cell_m, Shading shading, const std::optional<int>& mirror_depth) {
     Zone zone = room(kSize, 0.4, cell_m);
     make_mirror_of(zone, kX0, 0.9);
@@ -442,9 +441,7 @@ TEST_CASE("A picture shaded point by point shows what fine cells show", "[mirror
     options.mirror_depth = mirror_depth;
     const auto lights = point_lamp({1, 1.3, 2.0}, 100.0);
     const auto solution = solve(zone, lights, network_of(zone, {8, 16}), options);
-    const std::string path = folder / "mirrors.lum";
-    save_lum(path, zone, Cells(zone), lights, solution, "");
-    const LuminanceDatabase database(path);
+    const LuminanceDatabase database(zone, lights, solution);
     RenderOptions render;
     render.view.eye = {2.2, 3.6, 1.6};
     render.view.focus = {1.8, 1.4, 0.0};

@@ -94,12 +94,17 @@ TEST_CASE("View factors of the network agree with the closed form for opposed sq
   const Cells cells(zone);
   NetworkOptions options;
   options.patches = {16, 32};
-  const Network network = build_network(zone, cells, options, Job{});
   std::vector<double> ceiling(cells.size(), 0.0);
   for (std::size_t i = cells.first(1); i < cells.first(2); ++i) ceiling[i] = 1.0;
-  const auto seen = apply_rows(network, ceiling);
+  // One network's 100 rows of 512 stratified rays spread by some 0.5 %, the mean of 32 by 0.09 %.
+  constexpr int kSeeds = 32;
   double factor = 0.0;
-  for (std::size_t i = cells.first(0); i < cells.first(1); ++i) factor += seen[i] * cells.area_m2(i);
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    options.seed = static_cast<std::uint64_t>(seed);
+    const auto seen = apply_rows(build_network(zone, cells, options, Job{}), ceiling);
+    for (std::size_t i = cells.first(0); i < cells.first(1); ++i)
+      factor += seen[i] * cells.area_m2(i) / kSeeds;
+  }
   // Opposed unit squares at unit distance, Howell's catalogue C-11: 0.199825.
   CHECK(factor == Approx(0.199825).epsilon(2e-3));
 }
@@ -147,12 +152,16 @@ TEST_CASE("An open zone lets rays out and its rows fall short by the open share"
   zone.surfaces.erase(zone.surfaces.begin() + 1);
   const Cells cells(zone);
   NetworkOptions options;
-  const Network network = build_network(zone, cells, options, Job{});
-  const auto rows = apply_rows(network, std::vector<double>(cells.size(), 1.0));
+  constexpr int kSeeds = 32;  // see above
   double escaped = 0.0;
-  for (std::size_t i = cells.first(0); i < cells.first(1); ++i)
-    escaped += (1.0 - rows[i]) * cells.area_m2(i) / 4.0;
-  CHECK(network.is_open());
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    options.seed = static_cast<std::uint64_t>(seed);
+    const Network network = build_network(zone, cells, options, Job{});
+    const auto rows = apply_rows(network, std::vector<double>(cells.size(), 1.0));
+    for (std::size_t i = cells.first(0); i < cells.first(1); ++i)
+      escaped += (1.0 - rows[i]) * cells.area_m2(i) / 4.0 / kSeeds;
+    CHECK(network.is_open());
+  }
   CHECK(escaped == Approx(0.199825).epsilon(3e-3));
 }
 

@@ -346,7 +346,7 @@ TEST_CASE("Links need no more memory than was told before", "[shine][unit]") {
   const ShineProblem problem(shiny_room_of_kind(kind), network_options({8, 16}, family), 1,
                              kind == 5 ? 2 : 1);
   const auto told = shine_memory(problem.zone, problem.cells, problem.network, problem.classes,
-                                 problem.caster, MirrorRayOptions{}, problem.n_columns(), 1);
+                                 problem.caster, MirrorRayOptions{}, problem.n_columns());
   const auto& links = problem.shine.links();
   const auto bytes = [](const auto& vector) { return vector.capacity() * sizeof(vector[0]); };
   const std::size_t used = bytes(links.mirror) + bytes(links.mirror_tint) + bytes(links.mirror_scale) +

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <random>
@@ -118,14 +119,15 @@ inline double area_m2(const Cells& cells) {
 }
 
 /// Illuminance of the cells (or points) from one source, lx.
-inline std::vector<double> illuminance_lx(const Solution& solution, const std::vector<float>& irradiance,
+/// @param transfer  a part of the solution, [n_sources, n_classes or one, n]
+inline std::vector<double> illuminance_lx(const Solution& solution, const std::vector<float>& transfer,
                                           std::size_t source, std::size_t n) {
   std::vector<double> lx(n, 0.0);
-  const auto& weights = solution.sources[source].weights;
-  for (std::size_t b = 0; b < solution.bands.size(); ++b) {
-    const std::size_t row = (source * solution.bands.size() + b) * n;
-    for (std::size_t i = 0; i < n; ++i)
-      lx[i] += kMaxEfficacy_lm_W * weights.y[b] * static_cast<double>(irradiance[row + i]);
+  const auto xyz = solution.sources[source].xyz_by_class(solution.classes);
+  const std::size_t n_classes = n ? transfer.size() / (n * solution.sources.size()) : 0;
+  for (std::size_t q = 0; q < xyz.size(); ++q) {
+    const std::size_t row = (source * n_classes + std::min(q + 1, n_classes) - 1) * n;
+    for (std::size_t i = 0; i < n; ++i) lx[i] += xyz[q].y * static_cast<double>(transfer[row + i]);
   }
   return lx;
 }

@@ -5,6 +5,7 @@
 
 #include "base/hdf5_file.hpp"
 #include "base/hdf5_file_header.hpp"
+#include "base/version.hpp"
 #include "catch.hpp"
 #include "files_support.hpp"
 
@@ -97,6 +98,9 @@ TEST_CASE("Another kind and a newer version are refused by name", "[base][unit]"
   CHECK(refusal(folder / "new", 2) == "written by format 3, this program reads 1..2");
   CHECK(refusal(folder / "new", 3).empty());
   CHECK(Hdf5Reader(folder / "new", "rays", 4).version() == 3);
+  CHECK(io_error([&] { Hdf5Reader(folder / "new", "rays", 4, {}, 4); }) ==
+        folder / "new" + ": written in format 3 by DIM " + dim::version() +
+            ", this program reads 4; make it again with this dimdis");
 }
 
 TEST_CASE("A file cut short at any length is refused", "[base][unit]") {
@@ -126,12 +130,12 @@ TEST_CASE("A file that goes on after its end is refused", "[base][unit]") {
 
 TEST_CASE("A flipped bit anywhere in the header is refused", "[base][unit]") {
   const auto header = dim::make_header({"rays", 1, 123'456, std::string(32, 'a')});
-  REQUIRE_NOTHROW(dim::parse_header("x", header, "rays", 1));
+  REQUIRE_NOTHROW(dim::parse_header("x", header, "rays", {1, 1}));
   for (std::size_t i = 0; i < header.size(); ++i) {
     for (int bit = 0; bit < 8; ++bit) {
       auto changed = header;
       changed[i] = static_cast<char>(changed[i] ^ (1 << bit));
-      const auto message = io_error([&] { dim::parse_header("x", changed, "rays", 1); });
+      const auto message = io_error([&] { dim::parse_header("x", changed, "rays", {1, 1}); });
       if (message.empty()) FAIL_CHECK("byte " << i << " bit " << bit << " unnoticed");
     }
   }

@@ -53,19 +53,27 @@ TEST_CASE("Only keeps one source's factor", "[result][unit]") {
 
 TEST_CASE("Grid statistics of five numbers", "[result][unit]") {
   const std::vector<double> lx = {1000, 200, 100, 400, 500, 0, 0};
-  const auto s = grid_statistics(lx, {"work", 1, 4});
+  std::vector<MeasuringPoint> points(lx.size());
+  const auto s = grid_statistics(lx, points, {"work", 1, 4});
   CHECK(s.n_points == 4);
   CHECK(s.min_lx == 100);
   CHECK(s.max_lx == 500);
   CHECK(s.mean_lx == Approx(300));
   CHECK(s.u0 == Approx(1.0 / 3.0));
   CHECK(s.ud == Approx(0.2));
-  const auto dark = grid_statistics(lx, {"dark", 5, 2});
+  const auto dark = grid_statistics(lx, points, {"dark", 5, 2});
   CHECK(dark.u0 == 0.0);
   CHECK(dark.ud == 0.0);
-  const auto empty = grid_statistics(lx, {"none", 7, 0});
-  CHECK(empty.n_points == 0);
-  CHECK(empty.mean_lx == 0.0);
+  points[2].valid = points[6].valid = false;
+  const auto most = grid_statistics(lx, points, {"work", 1, 4});
+  CHECK(most.n_points == 4);
+  CHECK(most.n_left_out == 1);
+  CHECK(most.min_lx == 200);
+  CHECK(most.mean_lx == Approx(1100.0 / 3.0));
+  const auto none = grid_statistics(lx, points, {"none", 6, 1});
+  CHECK(none.n_left_out == 1);
+  CHECK(std::isnan(none.mean_lx));
+  CHECK(std::isnan(none.u0));
 }
 
 TEST_CASE("Figures of a surface are weighted by its cells' areas", "[result][unit]") {

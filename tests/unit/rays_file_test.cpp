@@ -91,9 +91,11 @@ TEST_CASE("More than 65,535 cells take sinks of four bytes", "[network][unit]") 
   CHECK(*std::max_element(sinks.begin(), sinks.end()) > 0xFFFF);
   save_rays(folder / "a.rays", zone, cells, network);
   check_same(load_rays(folder / "a.rays").network, network);
-  const std::vector<double> direct(cells.size(), 1.0);
-  const auto gathered = gather(network, cells, direct, {}, std::vector<double>(6, 0.5), 1, {}, Job{});
-  for (const double e : gathered.cell) REQUIRE(e == Approx(2.0).epsilon(1e-6));
+  const auto direct = Columns<double>::from_rows(std::vector<double>(cells.size(), 1.0), 1);
+  const auto gathered =
+      gather(network, cells, direct, Columns<double>(0, 1), {1, std::vector<double>(6, 0.5), {0}}, {}, Job{});
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    REQUIRE(gathered.cell.value(i, 0) == Approx(2.0).epsilon(1e-6));
 }
 
 TEST_CASE("The widest network of two-byte sinks keeps 'nowhere' apart from its last cell",
@@ -139,13 +141,29 @@ TEST_CASE("A network that names cells out of range is refused", "[network][unit]
   CHECK_FALSE(refused([](Network& n) { n.extra.weight.pop_back(); }, true).empty());
 }
 
+TEST_CASE("A network whose cells are not those of its zone is refused in one line", "[network][unit]") {
+  const Folder folder;
+  const std::string path = folder / "a.rays";
+  Zone zone = zone_with_points();
+  const Cells cells(zone);
+  const Network network = coarse_network(zone, {});
+  const auto message = [&] {
+    save_rays(path, zone, cells, network);
+    return io_error([&] { load_rays(path); });
+  };
+  REQUIRE(message().empty());
+  // A panel has come in since, whose foot divides cells of the floor.
+  test::add_surface(zone, "panel", {{0.1, 0.1, -1}, {0.1, 0.4, -1}, {0.1, 0.4, 0}, {0.1, 0.1, 0}}, 0, 0.5);
+  CHECK(message().find("its cells are not those") != std::string::npos);
+}
+
 TEST_CASE("A network file with a seed that is no number is refused", "[network][unit]") {
   const Folder folder;
   const std::string path = folder / "a.rays";
   Hdf5Writer file("rays", kRaysVersion);
-  store_zone(file, box_zone({2, 2, 2}, 0.5, 2.0));
-  const std::vector<double> area(6, 4.0);
-  file.dataset("/cells/area", std::span<const double>(area), {6}, "m2");
+  const Zone zone = box_zone({2, 2, 2}, 0.5, 2.0);
+  store_zone(file, zone);
+  store_cells(file, zone, Cells(zone));
   for (const char* name : {"slices", "sectors", "point_slices", "point_sectors", "escaped_rays", "back_rays"})
     file.attribute("/network", name, 1);
   file.attribute("/network", "imbalance", 0.0);

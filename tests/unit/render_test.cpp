@@ -5,11 +5,9 @@
 #include "geometry/perspective.hpp"
 #include "image/light_field.hpp"
 #include "property/transport_support.hpp"
-#include "unit/files_support.hpp"
 
 using namespace dim;
 using namespace dim::test;
-using files_test::Folder;
 
 namespace {
 
@@ -24,8 +22,7 @@ View view_of(const Vec3& eye, const Vec3& focus, int width, int height, double f
 }
 
 // A database of given illuminances of the cells, all of it indirect.
-LuminanceDatabase database_of(const Zone& zone, const Lights& lights, const std::vector<double>& cell_lx,
-                              const std::string& path) {
+LuminanceDatabase database_of(const Zone& zone, const Lights& lights, const std::vector<double>& cell_lx) {
   const Cells cells(zone);
   Solution solution;
   Source source;
@@ -34,25 +31,22 @@ LuminanceDatabase database_of(const Zone& zone, const Lights& lights, const std:
   source.flux_lm = 1.0;
   source.weights = band_weights(SpectralCurve(1.0), Bands{});
   solution.sources = {source};
+  solution.classes = classify(zone, solution.bands);
   solution.n_cells = cells.size();
   solution.cell_direct.assign(cells.size(), 0.0F);
-  for (const double lx : cell_lx)
-    solution.cell_total.push_back(static_cast<float>(lx / source.weights.efficacy_lm_W));
-  save_lum(path, zone, cells, lights, solution, "");
-  return LuminanceDatabase(path);
+  for (const double lx : cell_lx) solution.cell_total.push_back(static_cast<float>(lx));
+  return {zone, lights, std::move(solution)};
 }
 
-LuminanceDatabase uniform_database(const Zone& zone, const Lights& lights, double illuminance_lx,
-                                   const std::string& path) {
-  return database_of(zone, lights, std::vector<double>(Cells(zone).size(), illuminance_lx), path);
+LuminanceDatabase uniform_database(const Zone& zone, const Lights& lights, double illuminance_lx) {
+  return database_of(zone, lights, std::vector<double>(Cells(zone).size(), illuminance_lx));
 }
 
 }  // namespace
 
 TEST_CASE("A picture of a uniform closed room shows rho E over pi everywhere", "[image][unit]") {
-  const Folder folder;
   const Zone zone = furnished_room(0.6, 0.7);
-  const auto database = uniform_database(zone, point_lamp({0, 0, 0}, 0.0), 500.0, folder / "a.lum");
+  const auto database = uniform_database(zone, point_lamp({0, 0, 0}, 0.0), 500.0);
   const Cells cells(database.zone());
   RenderOptions options;
   options.view = view_of({-2.7, -1.6, 0.2}, {1, 0.5, -0.5}, 60, 45);
@@ -72,9 +66,8 @@ TEST_CASE("A picture of a uniform closed room shows rho E over pi everywhere", "
 }
 
 TEST_CASE("A mix scales a picture and nothing lit is black", "[image][unit]") {
-  const Folder folder;
   const Zone zone = box_zone({4, 3, 2}, 0.5, 0.5);
-  const auto database = uniform_database(zone, point_lamp({0, 0, 0}, 0.0), 100.0, folder / "a.lum");
+  const auto database = uniform_database(zone, point_lamp({0, 0, 0}, 0.0), 100.0);
   RenderOptions options;
   options.view = view_of({0, 0, 0}, {1, 0, 0}, 8, 6);
   const Cells cells(database.zone());
@@ -86,10 +79,9 @@ TEST_CASE("A mix scales a picture and nothing lit is black", "[image][unit]") {
 }
 
 TEST_CASE("Out of an open side nothing is seen", "[image][unit]") {
-  const Folder folder;
   Zone zone = box_zone({4, 3, 2}, 0.5, 0.5);
   zone.surfaces.pop_back();  // x1
-  const auto database = uniform_database(zone, point_lamp({0, 0, 0}, 0.0), 100.0, folder / "a.lum");
+  const auto database = uniform_database(zone, point_lamp({0, 0, 0}, 0.0), 100.0);
   RenderOptions options;
   options.view = view_of({0, 0, 0}, {1, 0, 0}, 8, 6, 20.0);
   const Raster raster = render_view(database, Cells(database.zone()), {1.0}, options, Job{});
@@ -100,13 +92,12 @@ TEST_CASE("Out of an open side nothing is seen", "[image][unit]") {
 }
 
 TEST_CASE("An opening shows its intensity over its projected area", "[image][unit]") {
-  const Folder folder;
   const Zone zone = box_zone({8, 8, 8}, 0.0, 8.0);
   // Neither Lambertian nor isotropic: I = 100 (1 - gamma / 90 deg), piecewise linear, so exact in between.
   const IntensityTable table({{0.0, 2 * kPi}, {0.0, kPi / 2}, {100.0, 0.0, 100.0, 0.0}});
   Lights lights;
   add_lamp(lights, "lamp", {0, 0, 1}, table, {.opening = rectangle(0.8, 0.4), .factor = 2.0});
-  const auto database = uniform_database(zone, lights, 0.0, folder / "a.lum");
+  const auto database = uniform_database(zone, lights, 0.0);
   const Cells cells(database.zone());
   for (const double gamma_deg : {0.0, 30.0, 60.0, 75.0}) {
     const double gamma = radians(gamma_deg);
@@ -123,13 +114,12 @@ TEST_CASE("An opening shows its intensity over its projected area", "[image][uni
 TEST_CASE("The light in a picture of an opening is the illuminance it gives the eye", "[image][unit]") {
   // Sum over pixels of L cos(theta) d omega, the pixel's solid angle being cos^3 / f^2 in pixels, against
   // Lambert's formula for the same opening: two programs' parts that share nothing.
-  const Folder folder;
   const Zone zone = box_zone({8, 8, 8}, 0.0, 8.0);
   const bool round = GENERATE(false, true);
   Lights lights;
   add_lamp(lights, "lamp", {0.2, 0.1, 1}, IntensityTable::lambertian(100.0),
            {.opening = round ? LuminousOpening{OpeningShape::kEllipse, 0.8, 0.8, 0.0} : rectangle(0.8, 0.8)});
-  const auto database = uniform_database(zone, lights, 0.0, folder / "a.lum");
+  const auto database = uniform_database(zone, lights, 0.0);
   const Vec3 eye(0, 0, -0.5);
   RenderOptions options;
   options.view = view_of(eye, {0, 0, 1}, 200, 200, 60.0);
@@ -157,7 +147,6 @@ TEST_CASE("The light in a picture of an opening is the illuminance it gives the 
 }
 
 TEST_CASE("Smooth shading is bilinear between the middles of cells", "[image][unit]") {
-  const Folder folder;
   Zone zone;
   zone.diameter_m = 5.0;
   add_grey(zone, 0.5);
@@ -167,7 +156,7 @@ TEST_CASE("Smooth shading is bilinear between the middles of cells", "[image][un
   // 10 u + 100 v at the middles: bilinear gives the plane back.
   for (std::size_t i = 0; i < cells.size(); ++i)
     lx.push_back(10 * cells[i].centroid.x + 100 * cells[i].centroid.y);
-  const auto database = database_of(zone, point_lamp({1, 1, 1}, 0.0), lx, folder / "a.lum");
+  const auto database = database_of(zone, point_lamp({1, 1, 1}, 0.0), lx);
   const LightChannels channels(database, {1.0});
   const LightField smooth(database, cells, {1.0}, channels, true, false),
       flat(database, cells, {1.0}, channels, false, false);
@@ -184,9 +173,8 @@ TEST_CASE("Smooth shading is bilinear between the middles of cells", "[image][un
 }
 
 TEST_CASE("The scene's white is its sources' colours by their flux", "[image][unit]") {
-  const Folder folder;
   const Zone zone = box_zone({4, 3, 2}, 0.5, 1.0);
-  const auto database = uniform_database(zone, point_lamp({0, 0, 0}, 0.0), 100.0, folder / "a.lum");
+  const auto database = uniform_database(zone, point_lamp({0, 0, 0}, 0.0), 100.0);
   const Vec3 white = scene_white(database, {2.0});
   CHECK(white.y == 1.0);
   CHECK(white.x == Approx(source_xyz(database.sources()[0]).x));

@@ -2,7 +2,11 @@
 #include <nlohmann/json.hpp>
 
 #include "catch.hpp"
+#include "base/hdf5_file.hpp"
+#include "image/render.hpp"
 #include "property/transport_support.hpp"
+#include "result/light_colour.hpp"
+#include "result/lum_file.hpp"
 #include "result/luminous.hpp"
 #include "result/spectra_storage.hpp"
 #include "scene/zone_storage.hpp"
@@ -28,6 +32,7 @@ Lights two_lamps() {
   add_lamp(lights, "panel", {1, 1, 1.3}, IntensityTable::lambertian(300.0),
            {.opening = rectangle(0.6, 0.3), .factor = 0.75, .group = "row"});
   lights.fittings[1].spectrum = SpectralCurve({{380, 1.0}, {780, 0.2}});
+  lights.fittings[1].has_spectrum = true;
   return lights;
 }
 
@@ -39,7 +44,7 @@ SimulationOptions three_bands() {
 
 // A database with its description changed, the rest as save_lum writes it.
 std::string refusal(const std::function<void(nlohmann::json&)>& change, const std::string& path,
-                    std::size_t n_areas = 0) {
+                    std::size_t n_areas = 6) {
   const Zone zone = box_zone({2, 2, 2}, 0.5, 2.0);
   const Lights lights = point_lamp({0, 0, 0}, 1.0);
   const Cells cells(zone);
@@ -51,11 +56,18 @@ std::string refusal(const std::function<void(nlohmann::json&)>& change, const st
   store_zone(file, zone);
   file.text("/description", json.dump());
   file.attribute("/", "rays_hash", "hash");
-  file.dataset<double>("/bands", solution.bands.edges_nm, {2}, "nm");
-  const std::vector<double> area(n_areas ? n_areas : 6, 4.0);
+  file.dataset<double>("/bands/edge", solution.bands.edges_nm, {2}, "nm");
+  file.dataset<std::uint32_t>("/bands/class", std::vector<std::uint32_t>{0}, {1}, "1");
+  for (const char* name : {"diffuse", "ior", "extinction", "specular_reflectance"})
+    file.dataset<double>(std::string("/classes/") + name, std::vector<double>{0.5}, {1, 1}, "1");
+  file.attribute("/classes", "mean", "plain");
+  const std::vector<double> area(n_areas, 4.0);
   file.dataset<double>("/cells/area", area, {area.size()}, "m2");
-  file.dataset<float>("/cells/total", solution.cell_total, {1, 1, 6}, "W/m2");
-  file.dataset<float>("/points/total", solution.point_total, {1, 1, 0}, "W/m2");
+  for (const char* name : {"direct", "total"}) {
+    file.dataset<float>(std::string("/transfer/cell_") + name, solution.cell_total, {1, 1, 6}, "lx");
+    file.dataset<float>(std::string("/transfer/point_") + name, solution.point_total, {1, 1, 0}, "lx");
+  }
+  store_spectra(file, {ShownSpectrum{}});
   file.dataset<float>("/photometry/intensity", std::vector<float>(73 * 181, 1.0F), {1, 73, 181}, "cd");
   std::move(file).write(path);
   return io_error([&] {
@@ -100,14 +112,27 @@ TEST_CASE("A luminance database gives back what was solved", "[result][unit]") {
       CHECK(a.energy[band].dropped_W == b.energy[band].dropped_W);
       CHECK(a.energy[band].imbalance == b.energy[band].imbalance);
     }
-    const auto irradiance = database.cell_irradiance(s);
-    CHECK(std::equal(irradiance.begin(), irradiance.end(), &solution.cell_total[solution.cell_row(s, 0)]));
-    const auto at_points = database.point_irradiance(s);
+    const auto on_cells = database.transfer(TransferPart::cell_total, s);
+    CHECK(on_cells.size() == 3 * n);
+    CHECK(std::equal(on_cells.begin(), on_cells.end(), &solution.cell_total[solution.cell_row(s, 0)]));
+    const auto at_points = database.transfer(TransferPart::point_total, s);
     CHECK(std::equal(at_points.begin(), at_points.end(), &solution.point_total[solution.point_row(s, 0)]));
+    // No mirror: one class of direct light for all bands.
+    CHECK(database.transfer(TransferPart::cell_direct, s).size() == n);
+    const auto irradiance = database.cell_irradiance(s), direct = database.direct_cell_irradiance(s);
+    for (std::size_t band = 0; band < 3; ++band) {
+      const double watts = b.weights.share[band] / b.weights.efficacy_lm_W;
+      for (std::size_t i = 0; i < n; i += 5) {
+        CHECK(irradiance[band * n + i] == Approx(watts * static_cast<double>(on_cells[band * n + i])).epsilon(1e-6));
+        CHECK(direct[band * n + i] == Approx(watts * static_cast<double>(solution.cell_direct[s * n + i])).epsilon(1e-6));
+      }
+    }
   }
   REQUIRE(database.spectra().size() == 2);
-  CHECK(database.spectra()[0].points() == lights.fittings[0].spectrum.points());
-  CHECK(database.spectra()[1].points() == lights.fittings[1].spectrum.points());
+  CHECK(database.spectra()[0].curve.points() == lights.fittings[0].spectrum.points());
+  CHECK_FALSE(database.spectra()[0].known);
+  CHECK(database.spectra()[1].curve.points() == lights.fittings[1].spectrum.points());
+  CHECK(database.spectra()[1].known);
   REQUIRE(database.luminaires().size() == 2);
   const auto& shown = database.luminaires()[1];
   CHECK(shown.name == "panel");
@@ -121,7 +146,7 @@ TEST_CASE("A luminance database gives back what was solved", "[result][unit]") {
   CHECK(shown.opening.length_m == 0.6);
   CHECK(shown.opening.width_m == 0.3);
   REQUIRE(database.photometry().size() == 2);
-  CHECK(database.photometry()[shown.photometry][60] == Approx(300.0 * 0.5).epsilon(1e-9));
+  CHECK(database.photometry()[shown.photometry].mean[60] == Approx(300.0 * 0.5).epsilon(1e-9));
 
   // Any mix is the weighted sum; illuminance of both kinds agrees with the solution's own numbers.
   const Mix mix = {0.5, 2.0};
@@ -139,7 +164,9 @@ TEST_CASE("A luminance database gives back what was solved", "[result][unit]") {
     for (std::size_t s = 0; s < 2; ++s) {
       for (std::size_t band = 0; band < 3; ++band) {
         const double rho = 0.2 + 0.6 * (static_cast<double>(band) + 0.5) / 3.0;  // middle of a straight line
-        luminance += mix[s] * 683.0 * solution.sources[s].weights.y[band] * rho / kPi *
+        const auto& weights = solution.sources[s].weights;
+        const double lumens = 683.0 * weights.y[band] * weights.share[band] / weights.efficacy_lm_W;
+        luminance += mix[s] * lumens * rho / kPi *
                      static_cast<double>(solution.cell_total[solution.cell_row(s, band) + i]);
       }
     }
@@ -164,32 +191,69 @@ TEST_CASE("A forged luminance database is refused", "[result][unit]") {
   CHECK_FALSE(refusal([](Json&) {}, path, 5).empty());  // areas of five cells, irradiances of six
 }
 
-TEST_CASE("A database without spectra is read, one with spectra that cannot be is refused",
-          "[result][unit]") {
+TEST_CASE("Spectra that do not hold together are refused", "[result][unit]") {
   const Folder folder;
   const std::string path = folder / "a.lum";
   const auto read = [&](std::vector<std::uint32_t> of_source, std::vector<std::uint64_t> first,
                         std::vector<double> points) {
     Hdf5Writer file("lum", kLumVersion);
-    if (!of_source.empty()) {
-      file.dataset<std::uint32_t>("/spectra/of_source", of_source, {of_source.size()}, "1");
-      file.dataset<std::uint64_t>("/spectra/first", first, {first.size()}, "1");
-      file.dataset<double>("/spectra/point", points, {points.size() / 2, 2}, "nm, 1");
-    }
+    file.dataset<std::uint32_t>("/spectra/of_source", of_source, {of_source.size()}, "1");
+    file.dataset<std::uint64_t>("/spectra/first", first, {first.size()}, "1");
+    file.dataset<double>("/spectra/point", points, {points.size() / 2, 2}, "nm, 1");
     std::move(file).write(path);
-    std::size_t n = 0;
-    const std::string refused =
-        io_error([&] { n = load_spectra(Hdf5Reader(path, "lum", kLumVersion), path, 1).size(); });
-    return std::pair(refused.empty(), n);
+    std::vector<ShownSpectrum> spectra(1);
+    return io_error([&] { load_spectra(Hdf5Reader(path, "lum", kLumVersion), path, spectra); }).empty();
   };
-  CHECK(read({}, {}, {}) == std::pair(true, std::size_t{0}));
-  CHECK(read({0}, {0, 2}, {400, 1, 700, 2}) == std::pair(true, std::size_t{1}));
-  CHECK_FALSE(read({1}, {0, 2}, {400, 1, 700, 2}).first);     // no such spectrum
-  CHECK_FALSE(read({0, 0}, {0, 2}, {400, 1, 700, 2}).first);  // more sources than there are
-  CHECK_FALSE(read({0}, {0, 3}, {400, 1, 700, 2}).first);     // more points than there are
-  CHECK_FALSE(read({0}, {2, 0}, {400, 1, 700, 2}).first);     // backwards
-  CHECK_FALSE(read({0}, {0, 0}, {400, 1, 700, 2}).first);     // no points
-  CHECK_FALSE(read({0}, {0, 2}, {700, 1, 400, 2}).first);     // descending
-  CHECK_FALSE(read({0}, {0, 2}, {400, -1, 700, 2}).first);    // negative
-  CHECK_FALSE(read({0}, {0, 2}, {400, std::nan(""), 700, 2}).first);
+  CHECK(read({0}, {0, 2}, {400, 1, 700, 2}));
+  CHECK_FALSE(read({1}, {0, 2}, {400, 1, 700, 2}));     // no such spectrum
+  CHECK_FALSE(read({0, 0}, {0, 2}, {400, 1, 700, 2}));  // more sources than there are
+  CHECK_FALSE(read({0}, {0, 3}, {400, 1, 700, 2}));     // more points than there are
+  CHECK_FALSE(read({0}, {2, 0}, {400, 1, 700, 2}));     // backwards
+  CHECK_FALSE(read({0}, {0, 0}, {400, 1, 700, 2}));     // no points
+  CHECK_FALSE(read({0}, {0, 2}, {700, 1, 400, 2}));     // descending
+  CHECK_FALSE(read({0}, {0, 2}, {400, -1, 700, 2}));    // negative
+  CHECK_FALSE(read({0}, {0, 2}, {400, std::nan(""), 700, 2}));
+}
+
+TEST_CASE("Tables and pictures from memory are those from the file, to the bit", "[result][unit]") {
+  const Folder folder;
+  Zone zone = lit_zone();
+  // A lobe and a mirror, so that every part of the light is there.
+  for (const double roughness : {0.3, 0.0}) {
+    zone.surfaces[roughness > 0.0 ? 0U : 2U].finish = add_grey(zone, 0.3);
+    zone.finishes.back().specular = 0.4;
+    zone.finishes.back().roughness = roughness;
+    zone.finishes.back().ior = SpectralCurve({{380, 1.7}, {780, 1.4}});
+  }
+  const Cells cells(zone);
+  const Lights lights = two_lamps();
+  const Solution solution = solve(zone, lights, network_of(zone, {4, 6}), three_bands());
+  REQUIRE(solution.n_direct_classes == 3);
+  REQUIRE_FALSE(solution.directional.cells.empty());
+  save_lum(folder / "a.lum", zone, cells, lights, solution, "abc");
+  const LuminanceDatabase from_file(folder / "a.lum"), from_memory(zone, lights, solution);
+  for (const auto part : kTransferParts) {
+    for (std::size_t s = 0; s < 2; ++s) CHECK(from_file.transfer(part, s) == from_memory.transfer(part, s));
+  }
+  const Mix mix = {0.5, 2.0};
+  CHECK(point_illuminance_lx(from_file, mix) == point_illuminance_lx(from_memory, mix));
+  const auto one = cell_appearance(from_file, cells, mix), other = cell_appearance(from_memory, cells, mix);
+  CHECK(one.illuminance_lx == other.illuminance_lx);
+  CHECK(one.xyz_cd_m2 == other.xyz_cd_m2);
+  const auto colour = LightColours(from_file).at_points(mix)[2];
+  const double ra = LightColours(from_memory).at_points(mix)[2].ra;
+  CHECK((colour.ra == ra || (std::isnan(colour.ra) && std::isnan(ra))));
+  RenderOptions options;
+  options.view.eye = {-2.7, -1.6, 0.2};
+  options.view.focus = {1, 0.5, -0.5};
+  options.view.width = 24;
+  options.view.height = 18;
+  options.spectral = true;
+  options.samples = 1;
+  options.shading = Shading::gather;
+  const auto a = render_view(from_file, cells, mix, options, Job{}),
+             b = render_view(from_memory, cells, mix, options, Job{});
+  CHECK(a.xyz == b.xyz);
+  CHECK(a.radiance == b.radiance);
+  CHECK(*std::max_element(a.xyz.begin(), a.xyz.end()) > 0.0F);
 }

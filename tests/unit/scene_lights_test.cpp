@@ -216,6 +216,44 @@ TEST_CASE("A recessed luminaire in the ceiling is fine, a bare bulb on it is war
       "        move it a little into the zone");
 }
 
+TEST_CASE("A body is black or has a reflectance", "[scene][lights][bodies][unit]") {
+  const std::string lamp = "fitting = \"a.ies\"\nat = [1,1,2.5]\n";
+  const auto body = [&](const std::string& more) { return lights(one(lamp + more)).luminaires[0]; };
+  CHECK_FALSE(body("body = false").body);
+  CHECK(body("body = true").body);
+  CHECK(body("body = true").body_reflectance == 0.0);
+  CHECK(body("body = { reflectance = 0.5 }").body);
+  CHECK(body("body = { reflectance = 0.5 }").body_reflectance == 0.5);
+  const auto set = lights(one(lamp + "body = { reflectance = 0.5 }"), {"luminaire.A1.body.reflectance=0.25"});
+  CHECK(set.luminaires[0].body_reflectance == 0.25);
+  check_one(light_problems(one(lamp + "body = 0.5")),
+            "lamps/lights.toml:6:8: luminaire 'A1': body must be true, false or a table\n"
+            "        write true for a black body, or { reflectance = 0.5 }");
+  check_one(light_problems(one(lamp + "body = { reflectance = 50 }")),
+            "lamps/lights.toml:6:24: luminaire 'A1', body: reflectance must be at least 0 and less than 1, not "
+            "50");
+  check_one(light_problems(one(lamp + "body = {}")),
+            "lamps/lights.toml:6:8: luminaire 'A1', body: 'reflectance' is missing\n"
+            "        write body = true for a black one");
+  check_one(light_problems(one(lamp + "body = { reflectance = 0.5, colour = 1 }")),
+            "lamps/lights.toml:6:29: luminaire 'A1', body: unknown key 'colour'");
+}
+
+TEST_CASE("A body without an opening is warned of", "[scene][lights][bodies][unit]") {
+  Warnings warnings;
+  lights(one("fitting = \"a.ies\"\nat = [1,1,2.5]\nopening = \"point\"\nbody = true"), {}, &warnings);
+  REQUIRE(warnings.size() == 1);
+  CHECK(to_string(warnings[0]) ==
+        "lamps/lights.toml:7:8: luminaire 'A1': its opening has no area, so that it has no body\n"
+        "        give its size: opening = [length, width]");
+}
+
+TEST_CASE("A luminaire recessed in the ceiling makes room for its body", "[scene][lights][bodies][unit]") {
+  const std::string lamp = "fitting = \"a.ies\"\nat = [1,1,3]\n";
+  CHECK(lights(one(lamp)).luminaires[0].at.z == Approx(1.5).epsilon(1e-14));
+  CHECK(lights(one(lamp + "body = true")).luminaires[0].at.z == Approx(1.5 - 2e-4).epsilon(1e-14));
+}
+
 TEST_CASE("Wrong luminaires are refused with place and cure", "[scene][lights][unit]") {
   const std::string lamp = "fitting = \"a.ies\"\nat = [1,1,2.5]\n";
   check_one(light_problems(one("fitting = \"a.ies\"\nat = [1,1,3.5]")),
@@ -232,7 +270,8 @@ TEST_CASE("Wrong luminaires are refused with place and cure", "[scene][lights][u
             "lamps/lights.toml:6:6: luminaire 'A1': c0 is parallel to aim\n        C = 0 is a direction "
             "across the aim");
   check_one(light_problems(one(lamp + "count = [2,2]")),
-            "lamps/lights.toml:6:9: luminaire 'A1': an array of luminaires needs both count and pitch");
+            "lamps/lights.toml:6:9: luminaire 'A1': an array of luminaires needs both count and pitch\n"
+            "        write pitch = [step along x, step along y]");
   check_one(light_problems(one(lamp + "count = [0,2]\npitch = [1,1]")),
             "lamps/lights.toml:6:10: luminaire 'A1': count must be 1 to 10000, not 0");
   check_one(

@@ -85,6 +85,7 @@ void check_same(const Zone& a, const Zone& b) {
   for (std::size_t i = 0; i < a.points.size(); ++i) {
     CHECK(a.points[i].position == b.points[i].position);
     CHECK(a.points[i].normal == b.points[i].normal);
+    CHECK(a.points[i].valid == b.points[i].valid);
   }
   REQUIRE(a.point_sets.size() == b.point_sets.size());
   for (std::size_t i = 0; i < a.point_sets.size(); ++i) {
@@ -187,6 +188,8 @@ std::string refusal(const Forgery& f, const std::string& path) {
   };
   numbers("origin", {0, 0, 0}, {3});
   numbers("points", f.points, {f.points.size() / 6, 6});
+  const std::vector<std::uint8_t> valid(f.points.size() / 6, 1);
+  file.dataset("/zone/point_valid", std::span(valid), {valid.size()}, "1");
   for (const std::string group : {"surfaces", "planes"}) {
     const bool s = group == "surfaces";
     const std::vector<std::uint32_t> none;

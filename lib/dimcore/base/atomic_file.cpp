@@ -101,8 +101,12 @@ AtomicFile::~AtomicFile() { abandon(); }
 
 void AtomicFile::open_direct() {
   // A copy of descriptor 1, so that every descriptor held here is closed alike.
-  descriptor_ = path_ == "-" ? ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0)
-                             : ::open(path_.c_str(), O_WRONLY | O_TRUNC | O_NOCTTY | O_CLOEXEC);
+  do {
+    // A fifo waits here for its reader.
+    if (stop_ && stop_->load(std::memory_order_relaxed)) throw Interrupted();
+    descriptor_ = path_ == "-" ? ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0)
+                               : ::open(path_.c_str(), O_WRONLY | O_TRUNC | O_NOCTTY | O_CLOEXEC);
+  } while (descriptor_ < 0 && errno == EINTR);
   if (descriptor_ < 0) fail(errno);
   // A wider pipe saves most of the switching between two programs; refused for anything but a pipe.
   ::fcntl(descriptor_, F_SETPIPE_SZ, kPipe_bytes);

@@ -120,10 +120,12 @@ class Hdf5Reader {
   /// @param expected_kind  "rays" or "lum"
   /// @param max_version    the newest version of it that the caller reads
   /// @param job            its stop flag ends the check of the whole file
-  /// @throws IoError  one line that says which: missing, a directory, empty, foreign, another kind, newer
-  ///                  version, cut short, altered
+  /// @param min_version    the oldest; the refusal says which program wrote the file and how to replace it
+  /// @throws IoError  one line that says which: missing, a directory, empty, foreign, another kind, older or
+  ///                  newer version, cut short, altered
   /// @throws Interrupted
-  Hdf5Reader(const std::string& path, const std::string& expected_kind, int max_version, const Job& job = {});
+  Hdf5Reader(const std::string& path, const std::string& expected_kind, int max_version, const Job& job = {},
+             int min_version = 1);
   ~Hdf5Reader();
   Hdf5Reader(Hdf5Reader&&) noexcept;
   Hdf5Reader& operator=(Hdf5Reader&&) noexcept;

@@ -93,7 +93,7 @@ std::array<char, kHeader_bytes> make_header(const FileHeader& header) {
 }
 
 FileHeader parse_header(const std::string& path, std::span<const char> start, std::string_view expected_kind,
-                        int max_version) {
+                        FormatVersions versions) {
   const std::string_view block(start.data(), start.size());
   const std::string expected = "; expected " + kind_in_words(expected_kind);
   if (block.empty()) throw IoError(path, "is empty" + expected);
@@ -113,9 +113,9 @@ FileHeader parse_header(const std::string& path, std::span<const char> start, st
   const auto version = number<int>(field(*text, "version"));
   if (!version) throw_altered(path);
   header.version = *version;
-  if (header.version > max_version) {
-    throw IoError(path,
-                  fmt::format("written by format {}, this program reads 1..{}", header.version, max_version));
+  if (header.version > versions.newest) {
+    throw IoError(path, fmt::format("written by format {}, this program reads {}", header.version,
+                                    in_words(versions)));
   }
   const auto size = number<std::uint64_t>(field(*text, "size"));
   header.body_hash = field(*text, "xxh128");
@@ -128,6 +128,13 @@ std::string kind_in_words(std::string_view kind) {
   if (kind == "rays") return "a ray network (.rays)";
   if (kind == "lum") return "a luminance database (.lum)";
   return fmt::format("a DIM file of kind '{}'", kind);
+}
+
+std::string maker_of(std::string_view kind) { return kind == "rays" ? "dimdis" : "dimray"; }
+
+std::string in_words(FormatVersions versions) {
+  return versions.oldest == versions.newest ? std::to_string(versions.newest)
+                                            : fmt::format("{}..{}", versions.oldest, versions.newest);
 }
 
 BodyHash::BodyHash() : state_(XXH3_createState()) {

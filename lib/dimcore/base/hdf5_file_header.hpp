@@ -21,6 +21,14 @@ struct FileHeader {
   std::string body_hash;         ///< XXH3 128-bit of everything after the header, 32 lower-case hex digits
 };
 
+/// The formats of a kind that a program reads.
+struct FormatVersions {
+  int oldest = 1;
+  int newest = 1;
+};
+/// "2", or "1..2".
+std::string in_words(FormatVersions versions);
+
 /// The 512 bytes of the header.
 /// @throws InternalError  a kind, version or hash that the format cannot hold
 std::array<char, kHeader_bytes> make_header(const FileHeader& header);
@@ -33,10 +41,12 @@ std::array<char, kHeader_bytes> make_header(const FileHeader& header);
 /// @param max_version    the newest version of it that the caller reads
 /// @throws IoError  one line that says which: empty, foreign, cut short, altered, another kind, newer version
 FileHeader parse_header(const std::string& path, std::span<const char> start, std::string_view expected_kind,
-                        int max_version);
+                        FormatVersions versions);
 
 /// A kind in words: "a ray network (.rays)".
 std::string kind_in_words(std::string_view kind);
+/// The program that writes files of a kind: "dimdis".
+std::string maker_of(std::string_view kind);
 
 /// XXH3 128-bit of bytes that come piece by piece; the digits are those of `xxh128sum`.
 class BodyHash {

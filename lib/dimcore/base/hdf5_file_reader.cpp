@@ -119,10 +119,10 @@ Handle Hdf5Reader::Impl::open_attribute(const std::string& object, const std::st
 }
 
 Hdf5Reader::Hdf5Reader(const std::string& path, const std::string& expected_kind, int max_version,
-                       const Job& job)
+                       const Job& job, int min_version)
     : impl_(std::make_unique<Impl>()) {
   impl_->path = path;
-  impl_->content = verify_file(path, expected_kind, max_version, job);
+  impl_->content = verify_file(path, expected_kind, {min_version, max_version}, job);
   hdf5::silence();
   impl_->file = open_verified(path, impl_->content);
   const FileHeader& header = impl_->content.header;
@@ -130,6 +130,10 @@ Hdf5Reader::Hdf5Reader(const std::string& path, const std::string& expected_kind
       integer_attribute("/", "dim_version") != header.version) {
     impl_->fail("is altered: its header and its content say different formats");
   }
+  if (header.version < min_version)
+    impl_->fail(fmt::format("written in format {} by DIM {}, this program reads {}; make it again with this {}",
+                            header.version, text_attribute("/", "dim_program"),
+                            in_words({min_version, max_version}), maker_of(header.kind)));
 }
 
 Hdf5Reader::~Hdf5Reader() = default;

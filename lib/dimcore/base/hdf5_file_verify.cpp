@@ -99,14 +99,14 @@ hdf5::Handle open_disk(const std::string& path, const InputFile& file) {
 
 }  // namespace
 
-VerifiedFile verify_file(const std::string& source, const std::string& expected_kind, int max_version,
+VerifiedFile verify_file(const std::string& source, const std::string& expected_kind, FormatVersions versions,
                          const Job& job) {
   VerifiedFile content;
   auto file = std::make_unique<InputFile>(source, job);
   const std::string path = name_for_messages(source);
   std::array<char, kHeader_bytes> block = {};
   const auto start = std::span(block).first(file->read(std::as_writable_bytes(std::span(block))));
-  content.header = parse_header(path, start, expected_kind, max_version);
+  content.header = parse_header(path, start, expected_kind, versions);
 
   const std::uint64_t expected_bytes = content.header.file_bytes;
   BodyHash hash;

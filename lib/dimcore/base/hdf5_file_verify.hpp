@@ -31,7 +31,7 @@ struct VerifiedFile {
 
 /// Reads all of the file and checks it.
 /// @throws IoError as Hdf5Reader
-VerifiedFile verify_file(const std::string& path, const std::string& expected_kind, int max_version,
+VerifiedFile verify_file(const std::string& path, const std::string& expected_kind, FormatVersions versions,
                          const Job& job);
 
 /// Opens what was checked, and not what may have got its name since.

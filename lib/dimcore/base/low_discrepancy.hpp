@@ -41,4 +41,36 @@ class LowDiscrepancy4 {
   std::array<std::uint64_t, 4> offset_{};
 };
 
+/// A rank-1 lattice of 2^m points in four dimensions (Korobov's, generators by least P2 of all), shifted by a
+/// point of chance and folded by the tent map (Hickernell 2002): the mean of a continuous function converges
+/// as n^-1.5 to n^-2, where independent points reach n^-0.5. Even and odd points are a lattice each.
+class FoldedLattice4 {
+ public:
+  /// @param wanted  points: the next power of two from 4 to 1024 is made
+  /// @param shift   each in [0, 1)
+  FoldedLattice4(int wanted, const std::array<double, 4>& shift) : shift_(shift) {
+    while (m_ < 10 && (1 << m_) < wanted) ++m_;
+  }
+
+  std::uint64_t size() const { return std::uint64_t{1} << m_; }
+
+  /// Each coordinate in [0, 1].
+  std::array<double, 4> operator()(std::uint64_t index) const {
+    const std::uint64_t last = size() - 1;
+    std::array<double, 4> point{};
+    std::uint64_t step = index;
+    for (std::size_t d = 0; d < 4; ++d, step *= kGenerator[static_cast<std::size_t>(m_)]) {
+      double x = static_cast<double>(step & last) / static_cast<double>(size()) + shift_[d];
+      x -= std::floor(x);
+      point[d] = 1.0 - std::abs(2.0 * x - 1.0);
+    }
+    return point;
+  }
+
+ private:
+  static constexpr std::array<std::uint64_t, 11> kGenerator = {1, 1, 1, 3, 3, 3, 3, 21, 39, 187, 493};
+  int m_ = 2;
+  std::array<double, 4> shift_;
+};
+
 }  // namespace dim

@@ -4,7 +4,6 @@
 
 #include "database/toml_reader.hpp"
 #include "spectrum/bands.hpp"
-#include "spectrum/named_spectra.hpp"
 
 namespace dim {
 namespace {
@@ -14,24 +13,31 @@ constexpr NumberRange kMaintenance{0.0, 1.0, true, false};
 
 }  // namespace
 
-void apply_factors(const FittingEntry& entry, Photometry& photometry) {
-  double factor = entry.lamp_factor * entry.maintenance_factor;
-  if (entry.lumens && photometry.flux_lm > 0.0) factor *= *entry.lumens / photometry.flux_lm;
+void scale(Photometry& photometry, double factor) {
   if (factor == 1.0) return;
   for (double& cd : photometry.distribution.intensity_cd) cd *= factor;
   photometry.flux_lm *= factor;
   photometry.max_cd *= factor;
 }
 
+void apply_lumens(const FittingEntry& entry, Photometry& photometry) {
+  if (entry.lumens && photometry.flux_lm > 0.0) scale(photometry, *entry.lumens / photometry.flux_lm);
+}
+
+void apply_factors(const FittingEntry& entry, Photometry& photometry) {
+  apply_lumens(entry, photometry);
+  scale(photometry, entry.in_use_factor());
+}
+
 void read_spectrum_key(const TomlTable& table, std::optional<SpectralCurve>& spectrum,
-                       std::string& spectrum_name, SpectrumNames names) {
+                       std::string& spectrum_name, const SpectrumFinder& spectra) {
   const auto* node = table.node("spectrum");
   if (!node) return;
   if (node->is_string()) {
     const auto name = table.name("spectrum");
     if (!name) return;
     try {
-      if (names == SpectrumNames::find) spectrum = find_spectrum(*name);
+      if (spectra) spectrum = spectra(*name);
       spectrum_name = *name;
     } catch (const InputError& error) {
       for (const auto& problem : error.problems()) table.problem("spectrum", problem.what, problem.cure);
@@ -47,7 +53,7 @@ void read_spectrum_key(const TomlTable& table, std::optional<SpectralCurve>& spe
 }
 
 FittingEntry read_fitting_entry(std::string_view text, const std::string& file, const std::string& name,
-                                SpectrumNames names) {
+                                const SpectrumFinder& spectra) {
   const toml::table root = parse_toml(text, file, {"fitting", 1, false, {}});
   Problems problems;
   TomlContext context{file, problems};
@@ -62,7 +68,7 @@ FittingEntry read_fitting_entry(std::string_view text, const std::string& file, 
   entry.lumens = table.number("lumens", kPositive);
   entry.lamp_factor = table.number_or("lamp_factor", kFactor, 1.0);
   entry.maintenance_factor = table.number_or("maintenance_factor", kMaintenance, 1.0);
-  read_spectrum_key(table, entry.spectrum, entry.spectrum_name, names);
+  read_spectrum_key(table, entry.spectrum, entry.spectrum_name, spectra);
   entry.title = table.text("title").value_or("");
   entry.source = table.text("source").value_or("");
   entry.licence = table.text("licence").value_or("");

@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "database/search.hpp"
+#include "database/spectrum_entry.hpp"
 #include "photometry/photometry.hpp"
 #include "spectrum/curve.hpp"
 
@@ -25,26 +26,31 @@ struct FittingEntry {
   std::string source;
   std::string licence;
   Place file_place;  ///< of the photometric file's name in the entry
+
+  /// Flux in use over that of the fitting as new: both factors.
+  double in_use_factor() const { return lamp_factor * maintenance_factor; }
 };
 
-/// Whether a spectrum's name is looked up, which takes milliseconds, or only kept.
-enum class SpectrumNames { find, keep };
-
 /// Reads the text of an entry: `file` (required), `watts`, `lumens`, `lamp_factor`, `maintenance_factor`,
-/// `spectrum` ([[nm, value], ...] or a name that find_spectrum knows), `source`, `licence`,
+/// `spectrum` ([[nm, value], ...] or a name that the finder knows), `source`, `licence`,
 /// `title`, `note`; `dim = "fitting/1"` may begin it.
+/// @param spectra  without one, a spectrum's name is kept and not looked up
 /// @throws InputError with every problem of the entry
 FittingEntry read_fitting_entry(std::string_view text, const std::string& file, const std::string& name,
-                                SpectrumNames names = SpectrumNames::find);
+                                const SpectrumFinder& spectra = built_in_spectra());
 
-/// Scales intensities, flux and largest intensity to the entry's lumens, then by its factors.
+/// Scales intensities, flux and largest intensity.
+void scale(Photometry& photometry, double factor);
+/// To the entry's lumens: the fitting as new.
+void apply_lumens(const FittingEntry& entry, Photometry& photometry);
+/// To the entry's lumens, then by its lamp and maintenance factors: the fitting in use.
 void apply_factors(const FittingEntry& entry, Photometry& photometry);
 
 class TomlTable;
 
-/// A `spectrum` key: a curve, or a name (see find_spectrum), which is left in `spectrum_name` as well.
-/// Unknown names and curves without any light are reported.
+/// A `spectrum` key: a curve, or a name (see the finder), which is left in `spectrum_name` as well. Unknown
+/// names and curves without any light are reported.
 void read_spectrum_key(const TomlTable& table, std::optional<SpectralCurve>& spectrum,
-                       std::string& spectrum_name, SpectrumNames names = SpectrumNames::find);
+                       std::string& spectrum_name, const SpectrumFinder& spectra);
 
 }  // namespace dim

@@ -9,12 +9,13 @@
 namespace dim {
 
 FittingRecord read_fitting_record(const std::string& entry_path, const std::string& name, Warnings& warnings,
-                                  SpectrumNames names) {
+                                  const SpectrumFinder& spectra) {
   FittingRecord record;
-  record.entry = read_fitting_entry(read_text_file(entry_path, kMaxTomlBytes), entry_path, name, names);
+  record.entry = read_fitting_entry(read_text_file(entry_path, kMaxTomlBytes), entry_path, name, spectra);
   if (!is_photometric_name(record.entry.file))
-    throw InputError(
-        {record.entry.file_place, "'" + record.entry.file + "' is not an .ies or .ldt file", ""});
+    throw InputError({record.entry.file_place,
+                      "'" + record.entry.file + "' is not an .ies, .ldt or .xml file",
+                      foreign_format(record.entry.file).cure});
   try {
     record.photometry = read_photometric_file(record.entry.file, warnings);
   } catch (const IoError& error) {
@@ -22,6 +23,8 @@ FittingRecord read_fitting_record(const std::string& entry_path, const std::stri
   }
   record.file_flux_lm = record.photometry.flux_lm;
   apply_factors(record.entry, record.photometry);
+  if (record.entry.spectrum_name.empty() && !record.entry.spectrum)
+    record.entry.spectrum = record.photometry.spectrum;
   return record;
 }
 
@@ -32,6 +35,7 @@ FittingRecord fitting_record_of_file(const std::string& path, Warnings& warnings
   record.entry.name = std::filesystem::path(path).stem().string();
   record.entry.file = path;
   record.entry.title = record.photometry.keyword("LUMINAIRE");
+  record.entry.spectrum = record.photometry.spectrum;
   return record;
 }
 

@@ -8,7 +8,8 @@
 
 namespace dim {
 
-/// A fitting entry together with its photometric file, its lumens and factors applied.
+/// A fitting entry together with its photometric file, its lumens and factors applied. A spectrum of the
+/// file's own stands in the entry where that has none.
 struct FittingRecord {
   FittingEntry entry;
   Photometry photometry;
@@ -21,7 +22,7 @@ struct FittingRecord {
 /// Reads an entry and the photometric file that it names.
 /// @throws InputError, IoError
 FittingRecord read_fitting_record(const std::string& entry_path, const std::string& name, Warnings& warnings,
-                                  SpectrumNames names = SpectrumNames::find);
+                                  const SpectrumFinder& spectra = built_in_spectra());
 
 /// The same for a photometric file that no entry names; the entry holds its file and title only.
 FittingRecord fitting_record_of_file(const std::string& path, Warnings& warnings);

@@ -177,6 +177,10 @@ SpectrumTable read_spectrum_csv(std::string_view text, const std::string& file_n
     last_nm = nm;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const double value = row.values[i + 1] * (table.percent ? 0.01 : 1.0);
+      if (values == ValueUnit::relative) {
+        points[i].emplace_back(nm, std::max(0.0, value));
+        continue;
+      }
       if (!(value >= 0.0 && value <= 1.0))
         throw InputError(
             {place, fmt::format("value {} is outside 0..{}", row.values[i + 1], table.percent ? 100 : 1),

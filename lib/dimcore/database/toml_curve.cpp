@@ -26,7 +26,8 @@ std::optional<SpectralCurve> TomlTable::curve(std::string_view key, const Number
   const auto* array = value->as_array();
   if (!array) {
     double constant = 0.0;
-    if (!number_in(*value, key, kAnyNumber, constant)) return std::nullopt;
+    const NumberRange any{.share = range.share};
+    if (!number_in(*value, key, any, constant)) return std::nullopt;
     if (range.contains(constant)) return SpectralCurve(constant);
     return complain(*value, fmt::format("{} must be {}, not {}", key, range.text(), short_number(constant)),
                     percent_cure(constant, range));

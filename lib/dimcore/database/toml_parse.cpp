@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "database/toml_reader.hpp"
+#include "database/toml_syntax.hpp"
 
 namespace dim {
 namespace {
@@ -39,6 +40,23 @@ void refuse_deep_keys(std::string_view text, const std::string& file) {
       after_key = after_dot = false;
     }
   }
+}
+
+// Files of DIM itself, given in the place of another.
+void refuse_binary(std::string_view text, const std::string& file, const TomlKind& kind) {
+  if (!text.starts_with("DIM file\n")) return;
+  const std::string_view header = text.substr(0, 200);
+  const auto is = [&](const char* what) { return header.find(what) != std::string_view::npos; };
+  const bool rays = is("kind rays"), lum = is("kind lum");
+  throw InputError(Problem{{file, 0, 0},
+                           fmt::format("is {}, not a {} file",
+                                       rays  ? "a ray network"
+                                       : lum ? "a luminance database"
+                                             : "a binary file of DIM",
+                                       kind.kind),
+                           rays  ? "dimray reads it: dimray ROOM.rays LIGHTS.toml -o ROOM.lum"
+                           : lum ? "dimout reads it: dimout grid ROOM.lum"
+                                 : ""});
 }
 
 struct Override {
@@ -156,7 +174,25 @@ toml::table as_finish_table(const toml::node& scalar, const toml::source_region&
   return table;
 }
 
+// Keys of the zone file set for the lights file, or the other way round.
+void refuse_other_file(const Override& set, const TomlKind& kind) {
+  static const std::vector<std::string> kZone = {"finishes", "surface", "box",  "copy", "room", "plane",
+                                                 "sensors",  "view",    "site", "cell", "unit"};
+  const std::string& first = set.key.front();
+  if (kind.kind == "zone" && first == "luminaire")
+    refuse(set.text, "luminaires belong to the lights file", "say it to dimray: dimray --set " + set.text);
+  if (kind.kind != "lights" || !std::count(kZone.begin(), kZone.end(), first)) return;
+  if (first == "finishes" && set.key.size() > 1)
+    refuse(set.text, "finishes belong to the zone, which was read when the rays were made",
+           fmt::format("use --finish {}=ENTRY, or {}=0.5 for a grey; dimdis --set for anything else",
+                       set.key[1], set.key[1]));
+  refuse(set.text,
+         fmt::format("'{}' belongs to the zone file, which was read when the rays were made", first),
+         "say it to dimdis: dimdis --set " + set.text);
+}
+
 void apply(toml::table& root, Override set, const TomlKind& kind) {
+  refuse_other_file(set, kind);
   toml::node& value = *set.holder.get("v");
   const auto region = value.source();
   toml::table* table = &root;
@@ -231,6 +267,7 @@ toml::table parse_toml(std::string_view text, const std::string& file, const Tom
         {file, 0, 0},
         fmt::format("text of {} bytes is longer than the {} MiB accepted", text.size(), kMaxTomlBytes >> 20),
         ""});
+  refuse_binary(text, file, kind);
   refuse_deep_keys(text, file);
   toml::table root;
   try {
@@ -238,9 +275,9 @@ toml::table parse_toml(std::string_view text, const std::string& file, const Tom
   } catch (const toml::parse_error& error) {
     const std::string words(error.description());
     const bool encoding = words.find("utf-8") != std::string::npos;
-    throw InputError(Problem{place_of(error.source(), file),
-                             encoding ? "a byte that is not UTF-8 text (" + words + ")" : words,
-                             encoding ? "save the file as UTF-8 text" : ""});
+    const Place place = place_of(error.source(), file);
+    throw InputError(Problem{place, encoding ? "a byte that is not UTF-8 text (" + words + ")" : words,
+                             encoding ? "save the file as UTF-8 text" : syntax_cure(text, place.line)});
   }
   check_header(root, file, kind);
   for (const auto& one : overrides) apply(root, parse_override(one), kind);

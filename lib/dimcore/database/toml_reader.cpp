@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 namespace dim {
@@ -95,6 +96,18 @@ const toml::node* TomlTable::typed(std::string_view key, toml::node_type type, c
   return nullptr;
 }
 
+std::optional<double> percentage(std::string_view text) {
+  const auto mark = text.find_last_not_of(' ');
+  if (mark == std::string_view::npos || text[mark] != '%') return std::nullopt;
+  text = text.substr(0, mark);
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value / 100.0;
+}
+
 bool TomlTable::number_in(const toml::node& node, std::string_view key, const NumberRange& range,
                           double& out) const {
   const auto complain = [&](const std::string& what) {
@@ -102,8 +115,9 @@ bool TomlTable::number_in(const toml::node& node, std::string_view key, const Nu
                            (label_.empty() ? "" : label_ + ": ") + what);
     return false;
   };
-  const auto value = node.value<double>();
-  if (!node.is_number() || !value)
+  const auto percent = range.share && node.is_string() ? percentage(node.as_string()->get()) : std::nullopt;
+  const auto value = percent ? percent : node.value<double>();
+  if (!(node.is_number() || percent) || !value)
     return complain(fmt::format("{} must be a number, not {}", key, type_name(node)));
   if (!std::isfinite(*value)) return complain(fmt::format("{} must be finite, not {}", key, *value));
   if (!range.contains(*value))

@@ -30,6 +30,7 @@ struct NumberRange {
   double high = std::numeric_limits<double>::infinity();
   bool low_open = false;
   bool high_open = false;
+  bool share = false;  ///< "14 %" is another way to write 0.14
 
   bool contains(double value) const;
   /// "greater than 0", "0 to 1", "at least 0", "any finite number"
@@ -39,10 +40,13 @@ struct NumberRange {
 inline constexpr NumberRange kAnyNumber{};
 inline constexpr NumberRange kPositive{0.0, std::numeric_limits<double>::infinity(), true, false};
 inline constexpr NumberRange kNotNegative{0.0, std::numeric_limits<double>::infinity(), false, false};
-inline constexpr NumberRange kFraction{0.0, 1.0, false, false};
-inline constexpr NumberRange kReflectance{0.0, 1.0, false, true};
+inline constexpr NumberRange kFraction{0.0, 1.0, false, false, true};
+inline constexpr NumberRange kReflectance{0.0, 1.0, false, true, true};
 inline constexpr NumberRange kCoordinate{-kMaxCoordinate, kMaxCoordinate, false, false};
 inline constexpr NumberRange kLength{0.0, kMaxCoordinate, true, false};
+
+/// The fraction that "14 %" stands for; nothing for another text.
+std::optional<double> percentage(std::string_view text);
 
 /// What the readers share: the name errors start with, and where they go.
 struct TomlContext {

@@ -2,60 +2,101 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "geometry/convex_split.hpp"
 #include "geometry/polygon.hpp"
+#include "geometry/segment.hpp"
 
 namespace dim {
 
-/// One finite element of a surface: a grid square clipped to the polygon, in the polygon's local frame.
+/// One finite element of a surface, a convex polygon in the polygon's local frame.
 struct GridCell {
-  Vec2 low{0.0};  ///< bounds of the square
+  Vec2 low{0.0};  ///< bounds
   Vec2 high{0.0};
-  Vec2 centroid{0.0};  ///< of the clipped region
+  Vec2 centroid{0.0};
   double area_m2 = 0.0;
-  bool whole = true;  ///< the square lies entirely inside the polygon
+  bool whole = true;        ///< exactly the rectangle from low to high
+  std::uint32_t shape = 0;  ///< of those that are not whole: number among them, see CellGrid::outline
 };
 
-/// nu x nv grid on the polygon's bounding rectangle, clipped exactly to the polygon.
+/// nu x nv squares on the polygon's bounding rectangle, each divided into convex cells that end where the
+/// polygon does and where other surfaces touch it.
 ///
-/// Every square with some of the polygon in it is one cell; the cells' areas add up to the polygon's to
-/// 1e-12. Squares that hold less than 1e-13 of their own area count as empty.
+/// A square that an edge of the polygon or a joint passes through is halved along the line of that edge or
+/// joint, each half again where another passes through it, and so on; halves outside the polygon are left
+/// out. A cell therefore lies on one side of every joint. The cells' areas add up to the polygon's to 1e-12.
+///
+/// Parts narrower than `narrow_m` become no cells, because no ray can start in them: their area and whatever
+/// arrives there belong to the cell next to them that neither an edge nor a joint separates from them.
 class CellGrid {
  public:
   /// Squares of at most `cell_m` along both edges, or exactly `grid` = nu x nv squares.
-  /// @param cell_m  > 0; ignored when grid is given
-  CellGrid(const Polygon& polygon, double cell_m, std::optional<std::pair<int, int>> grid = {});
+  /// @param cell_m    > 0; ignored when grid is given
+  /// @param joints    where other surfaces touch or cross the polygon, local; the parts beyond its bounding
+  ///                  rectangle do not matter
+  /// @param narrow_m  >= 0, 0: 1e-8 of the polygon's extent. What differs by 1e-4 of it is the same.
+  explicit CellGrid(const Polygon& polygon, double cell_m, std::optional<std::pair<int, int>> grid = {},
+                    std::span<const Segment2> joints = {}, double narrow_m = 0.0);
 
   int nu() const { return nu_; }
   int nv() const { return nv_; }
   const std::vector<GridCell>& cells() const { return cells_; }
+  /// Every square is a cell, and nothing stands between them.
+  bool regular() const { return regular_; }
 
-  /// The cell at a local point. Points outside the polygon (by rounding) get the nearest square's cell.
+  /// The cell at a local point. Points outside the polygon (by rounding) get a cell nearby.
   int cell_at(const Vec2& p) const {
-    int i = static_cast<int>(p.x * per_m_.x);
-    int j = static_cast<int>(p.y * per_m_.y);
-    i = i < 0 ? 0 : (i >= nu_ ? nu_ - 1 : i);
-    j = j < 0 ? 0 : (j >= nv_ ? nv_ - 1 : j);
-    return regular_ ? j * nu_ + i : cell_of_square_[static_cast<std::size_t>(j * nu_ + i)];
+    const int square = square_at(p);
+    return regular_ ? square : descend(cell_of_square_[static_cast<std::size_t>(square)], p);
   }
 
-  /// Cell of square (i, j), or -1 where the square holds nothing of the polygon.
-  int cell_of_square(int i, int j) const;
+  /// Corners of a cell, counter-clockwise, local.
+  void outline(std::size_t cell, Ring2& corners) const;
+
+  /// The square that holds a local point, i + j nu; the nearest one for points outside.
+  int square_at(const Vec2& p) const {
+    const int i = static_cast<int>(p.x * per_m_.x), j = static_cast<int>(p.y * per_m_.y);
+    return (j < 0 ? 0 : (j >= nv_ ? nv_ - 1 : j)) * nu_ + (i < 0 ? 0 : (i >= nu_ ? nu_ - 1 : i));
+  }
+
+  /// The cell in the middle of the square (di, dj) on from a square, each -1, 0 or 1. -1 where the middle is
+  /// not inside the polygon or where an edge or a joint stands between it and the first square's middle.
+  int middle_cell(int square, int di, int dj) const;
 
  private:
-  void clip(const Polygon& polygon);
-  void fill_empty_squares();
+  friend class CellGridBuilder;
+
+  // Divides a square. What lies left or right: >= 0 a cell, < 0 the complement of a node's index.
+  struct Node {
+    Line2 line;
+    std::int32_t left, right;
+  };
+  // What is known of a square's middle.
+  enum : std::uint8_t { kCutFromRight = 1, kCutFromUpper = 2, kNoMiddle = 4 };
+
+  int descend(std::int32_t at, const Vec2& p) const {
+    while (at < 0) {
+      const Node& node = nodes_[static_cast<std::size_t>(~at)];
+      at = node.line.height(p) >= 0.0 ? node.left : node.right;
+    }
+    return at;
+  }
+  bool cut_between(int square, int di, int dj) const;
 
   int nu_ = 1;
   int nv_ = 1;
-  Vec2 step_m_{0.0};
+  Vec2 size_m_{0.0};
   Vec2 per_m_{0.0};
-  bool regular_ = true;  ///< every square is a cell: the polygon is its bounding rectangle
+  bool regular_ = true;
   std::vector<GridCell> cells_;
-  std::vector<std::int32_t> cell_of_square_;  ///< nearest cell where the square is empty
-  std::vector<bool> empty_;
+  std::vector<std::int32_t> cell_of_square_;  ///< as Node's children; that of a square nearby where empty
+  std::vector<Node> nodes_;
+  std::vector<std::uint8_t> middles_;
+  std::vector<Vec2> corners_;                ///< of the cells that are not whole, one after the other
+  std::vector<std::uint32_t> first_corner_;  ///< [shapes + 1]
 };
 
 /// Most squares of one grid.
@@ -67,10 +108,5 @@ double n_squares(const Polygon& polygon, double cell_m, std::optional<std::pair<
 /// Number of grid steps of at most `step_m` that cover `length_m`, at least 1. Lengths that exceed a whole
 /// number of steps only by rounding do not get one more.
 int n_steps(double length_m, double step_m);
-
-/// A ring clipped to the half-plane where coordinate `axis` is at most (sign > 0) or at least (sign < 0)
-/// `limit`. Signed area and moments of the result are exact even where a concave ring falls into parts (they
-/// stay joined along the limit).
-Ring2 clip_half_plane(const Ring2& ring, int axis, double limit, double sign);
 
 }  // namespace dim

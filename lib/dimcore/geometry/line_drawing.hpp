@@ -3,15 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "base/vec.hpp"
+#include "geometry/segment.hpp"
 
 namespace dim {
 
-/// A straight line in a picture, pixels from its upper left corner (see Perspective).
-struct Segment2 {
-  Vec2 a{0.0};
-  Vec2 b{0.0};
-};
+/// Lines of a picture are in pixels from its upper left corner (see Perspective).
 
 /// The same lines with as few segments as possible: those that meet end to end and run straight on to 0.001
 /// pixel become one. Sorted by their ends, each with its left (else upper) end first.

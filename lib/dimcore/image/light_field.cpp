@@ -60,23 +60,24 @@ LightField::LightField(const LuminanceDatabase& database, const Cells& cells, co
 std::size_t LightField::cells_at(std::size_t surface, const Vec2& local, Weighted (&found)[4]) const {
   const CellGrid& grid = cells_.grid(surface);
   const std::size_t first = cells_.first(surface);
-  const auto own = first + static_cast<std::size_t>(grid.cell_at(local));
-  found[0] = {own, 1.0};
-  if (!smooth_) return 1;
+  const int own = grid.cell_at(local), square = grid.square_at(local);
+  found[0] = {first + static_cast<std::size_t>(own), 1.0};
+  // A part cut off from its square's middle keeps to itself.
+  if (!smooth_ || grid.middle_cell(square, 0, 0) != own) return 1;
   const Vec2 size = zone_.surfaces[surface].polygon.size_m();
-  const double u = local.x / size.x * grid.nu() - 0.5, v = local.y / size.y * grid.nv() - 0.5;
-  const int i = static_cast<int>(std::floor(u)), j = static_cast<int>(std::floor(v));
+  const double u = local.x / size.x * grid.nu() - (square % grid.nu() + 0.5);
+  const double v = local.y / size.y * grid.nv() - (square / grid.nu() + 0.5);
+  const double au = std::min(std::abs(u), 0.5), av = std::min(std::abs(v), 0.5);
   std::size_t n = 0;
   double total = 0.0;
   for (int k = 0; k < 4; ++k) {
-    const int di = k & 1, dj = k >> 1;
-    const int cell = grid.cell_of_square(i + di, j + dj);
-    const double weight = (di ? u - i : 1.0 - (u - i)) * (dj ? v - j : 1.0 - (v - j));
+    const int di = k & 1 ? (u < 0.0 ? -1 : 1) : 0, dj = k >> 1 ? (v < 0.0 ? -1 : 1) : 0;
+    const int cell = grid.middle_cell(square, di, dj);
+    const double weight = (di != 0 ? au : 1.0 - au) * (dj != 0 ? av : 1.0 - av);
     if (cell < 0 || !(weight > 0.0)) continue;
     found[n++] = {first + static_cast<std::size_t>(cell), weight};
     total += weight;
   }
-  if (n == 0) return 1;
   for (std::size_t k = 0; k < n; ++k) found[k].weight /= total;
   return n;
 }

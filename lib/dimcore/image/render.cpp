@@ -3,6 +3,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -73,6 +74,16 @@ void store(const Pixel& pixel, const LightChannels& channels, std::size_t at, Ra
     raster.radiance[at * channels.n_bands() + channels.band(c)] += static_cast<float>(pixel.light[c]);
 }
 
+// The pages of a large picture take seconds to be had: the stop flag is looked at meanwhile.
+void grow(std::vector<float>& values, std::size_t n, const Job& job) {
+  constexpr std::size_t kStep = std::size_t{1} << 22;
+  values.reserve(n);
+  while (values.size() < n) {
+    job.check();
+    values.resize(std::min(n, values.size() + kStep));
+  }
+}
+
 }  // namespace
 
 Raster render_view(const LuminanceDatabase& database, const Cells& cells, const Mix& mix,
@@ -81,12 +92,12 @@ Raster render_view(const LuminanceDatabase& database, const Cells& cells, const 
   raster.width = options.view.width;
   raster.height = options.view.height;
   raster.scalar_unit = options.scalar == ScalarQuantity::illuminance ? "lx" : "cd/m²";
-  raster.xyz.resize(raster.n_pixels() * 3);
-  raster.scalar.resize(raster.n_pixels());
+  grow(raster.xyz, raster.n_pixels() * 3, job);
+  grow(raster.scalar, raster.n_pixels(), job);
   const Shader shader(database, cells, mix, options.shading, options.samples * options.samples);
   if (options.spectral) {
     raster.band_edges_nm = database.bands().edges_nm;
-    raster.radiance.resize(raster.n_pixels() * database.bands().size());
+    grow(raster.radiance, raster.n_pixels() * database.bands().size(), job);
   }
   const Renderer renderer(shader, options);
   tbb::parallel_for(tbb::blocked_range<int>(0, raster.height, 4), [&](const auto& rows) {

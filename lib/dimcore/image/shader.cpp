@@ -6,28 +6,17 @@
 namespace dim {
 namespace {
 
-constexpr int kRoundCorners = 48;
 constexpr double kUnseen = 1e-3;      // of what a line of sight shows, left after mirrors: it ends there,
 constexpr int kMostMirrors = 1000;    // and where nothing is taken by any
-constexpr int kShadowRays = 64;       // from each luminaire to a pixel, over all its samples
+constexpr int kShadowLines = 64;      // from each luminaire to a pixel, over all its samples
 constexpr int kHighlightPaths = 144;  // the same for lobes
 
-// Outline of a luminous opening in space, empty where it has no area.
-Ring3 outline(const ShownLuminaire& luminaire) {
-  const auto at = [&](double x, double y) { return luminaire.at + x * luminaire.c0 + y * luminaire.c90; };
-  const double a = luminaire.opening.length_m / 2.0, b = luminaire.opening.width_m / 2.0;
-  if (!(area_m2(luminaire.opening) > 0.0) || !(a > 0.0) || !(b > 0.0)) return {};
-  const auto shape = luminaire.opening.shape;
-  if (shape == OpeningShape::kEllipse || shape == OpeningShape::kVerticalCylinder ||
-      shape == OpeningShape::kEllipsoid) {
-    // Corners a little outside, so that the area, and with it the light shown, is that of the round shape.
-    const double turn = 2.0 * kPi / kRoundCorners, swell = std::sqrt(turn / std::sin(turn));
-    Ring3 ring;
-    for (int i = 0; i < kRoundCorners; ++i)
-      ring.push_back(at(swell * a * std::cos(i * turn), swell * b * std::sin(i * turn)));
-    return ring;
-  }
-  return {at(-a, -b), at(a, -b), at(a, b), at(-a, b)};
+// Outline of a luminous opening in space, empty where it has no horizontal area.
+Ring3 outline_of(const ShownLuminaire& luminaire) {
+  if (luminaire.opening.shape == OpeningShape::kVerticalEllipse) return {};
+  Ring3 ring = outline(luminaire.opening);
+  for (auto& p : ring) p = luminaire.at + p.x * luminaire.c0 + p.y * luminaire.c90;
+  return ring;
 }
 
 Lights lights_of(const LuminanceDatabase& database) {
@@ -63,12 +52,11 @@ Shader::Shader(const LuminanceDatabase& database, const Cells& cells, const Mix&
       channels_(database, mix),
       field_(database, cells, mix, channels_, shading != Shading::cell, shading == Shading::gather),
       mirror_(zone_.finishes.size(), false) {
-  const auto& bands = database.bands();
-  for (const auto& finish : zone_.finishes) {
+  for (std::size_t f = 0; f < zone_.finishes.size(); ++f) {
     reflection_.emplace_back();
-    for (std::size_t b = 0; b < bands.size(); ++b)
-      reflection_.back().push_back(band_reflection(finish, bands.low_nm(b), bands.high_nm(b)));
-    mirror_[reflection_.size() - 1] = finish.specular > 0.0;
+    for (const std::size_t klass : database.classes().of_band)
+      reflection_.back().push_back(database.classes().at(klass, static_cast<int>(f)));
+    mirror_[f] = zone_.finishes[f].specular > 0.0;
   }
   facets_.resize(zone_.finishes.size());
   for (const auto cell : database.off_specular_cells()) {
@@ -79,18 +67,19 @@ Shader::Shader(const LuminanceDatabase& database, const Cells& cells, const Mix&
                                                  zone_.finishes[finish].roughness);
   }
   for (const auto& luminaire : database.luminaires()) {
-    const Ring3 ring = outline(luminaire);
+    const Ring3 ring = outline_of(luminaire);
     if (!ring.empty()) openings_.push_back({&luminaire, Polygon(ring)});
   }
   auto plates = plates_of(zone_);
   for (const auto& opening : openings_) plates.push_back({&opening.polygon});
+  lights_ = lights_of(database_);
+  obstructions_ = std::make_unique<Obstructions>(zone_, lights_);
+  for (const auto& plate : plates_of(obstructions_->bodies())) plates.push_back(plate);
   caster_ = std::make_unique<RayCaster>(std::move(plates), zone_.diameter_m);
   make_lamps(mix);
 }
 
 void Shader::make_lamps(const Mix& mix) {
-  lights_ = lights_of(database_);
-  obstructions_ = std::make_unique<Obstructions>(zone_, lights_);
   std::vector<int> mirrors;
   for (std::size_t s = 0; s < zone_.surfaces.size(); ++s) {
     if (!zone_.surfaces[s].outside && mirror_[static_cast<std::size_t>(zone_.surfaces[s].finish)])
@@ -104,9 +93,10 @@ void Shader::make_lamps(const Mix& mix) {
   }
   for (const auto& luminaire : database_.luminaires())
     factor_.push_back(mix[luminaire.source] * luminaire.factor);
+  PairOptions options;
+  options.shadow_lines = std::max(4, kShadowLines / n_samples_);
   for (const auto& emitter : emitters_)
-    integrators_.emplace_back(zone_, obstructions_->caster(), emitter, 0.0,
-                              std::max(4, kShadowRays / n_samples_), integrators_.size());
+    integrators_.emplace_back(zone_, obstructions_->caster(), obstructions_->shadows(), emitter, options);
 }
 
 // An opening shows the luminance that its intensity gives in that direction.
@@ -130,8 +120,7 @@ void Shader::add_direct(std::size_t surface, const Vec2& local, std::uint64_t ch
   const auto finish = static_cast<std::size_t>(zone_.surfaces[surface].finish);
   Frame frame = polygon.frame();
   frame.origin = frame.to_world(local);
-  const Receiver receiver{&frame, nullptr, true, static_cast<int>(surface), chance, nullptr};
-  const Part point = whole_pair(Vec2(0.0), Vec2(0.0));
+  const Receiver receiver = point_receiver(frame, static_cast<int>(surface), chance);
   const int n_paths = std::max(1, kHighlightPaths / n_samples_);
   for (std::size_t e = 0; e < emitters_.size(); ++e) {
     const auto& emitter = emitters_[e];
@@ -144,14 +133,14 @@ void Shader::add_direct(std::size_t surface, const Vec2& local, std::uint64_t ch
                       return reflection_[static_cast<std::size_t>(of)][b];
                     });
     if (shading_ == Shading::gather) {
-      const double lx = integrators_[e].mean(receiver, point);
+      const double lx = integrators_[e].mean(receiver).lx;
       for (std::size_t b = 0; b < tint.size() && lx > 0.0; ++b)
         irradiance[first + b] += lx * tint[b] * channels_.watts_per_lumen(first + b);
     }
     if (!towards) continue;
     const LowDiscrepancy4 points(chance ^ mix(e));
     for (int i = 0; i < n_paths; ++i) {
-      const auto path = integrators_[e].path(receiver, point, points(static_cast<std::uint64_t>(i)));
+      const auto path = integrators_[e].path(receiver, points(static_cast<std::uint64_t>(i)));
       if (!(path.lx > 0.0)) continue;
       const Vec3 in = frame.direction_to_local(path.towards);
       const LobeValue seen = lobe_value(*facets_[finish], in, *towards);
@@ -195,7 +184,9 @@ Shader::Seen Shader::seen(const Vec3& eye, const Vec3& direction, std::uint64_t 
     const auto plate = static_cast<std::size_t>(hit.plate);
     seen.anything = true;
     if (plate >= zone_.surfaces.size()) {
-      add_opening(plate - zone_.surfaces.size(), along, tint, light);
+      // A body's light is not stored: it is shown black.
+      const std::size_t opening = plate - zone_.surfaces.size();
+      if (opening < openings_.size()) add_opening(opening, along, tint, light);
       return seen;
     }
     const Surface& surface = zone_.surfaces[plate];

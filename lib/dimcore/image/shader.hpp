@@ -62,7 +62,7 @@ class Shader {
   std::vector<Emitter> emitters_;
   std::vector<PairIntegrator> integrators_;
   std::vector<double> factor_;         // [n_lights] in the mix
-  std::unique_ptr<RayCaster> caster_;  // surfaces, then openings
+  std::unique_ptr<RayCaster> caster_;  // surfaces, openings, bodies
   std::unique_ptr<Obstructions> obstructions_;
 };
 

@@ -140,10 +140,11 @@ EncodedPicture encode_picture(const PictureModule& module, const Raster& raster,
 }
 
 PictureReport write_picture(const std::string& library_dir, const std::string& path, const Raster& raster,
-                            const PictureOptions& options) {
+                            const PictureOptions& options, const Job& job) {
   const PictureModule module(library_dir);
+  job.check();
   const EncodedPicture picture = encode_picture(module, raster, options);
-  write_file(path, picture.bytes);
+  write_file(path, picture.bytes, job);
   return picture.report;
 }
 

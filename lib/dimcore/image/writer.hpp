@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "base/job.hpp"
 #include "image/false_colour.hpp"
 #include "image/picture_module.hpp"
 #include "image/raster.hpp"
@@ -64,7 +65,8 @@ EncodedPicture encode_picture(const PictureModule& module, const Raster& raster,
 /// @param library_dir  folder of the picture module, see PictureModule
 /// @param path         file to write; its format is options.format, whatever the name
 /// @throws IoError     also where the path cannot be written
+/// @throws Interrupted  as the job asks
 PictureReport write_picture(const std::string& library_dir, const std::string& path, const Raster& raster,
-                            const PictureOptions& options);
+                            const PictureOptions& options, const Job& job = {});
 
 }  // namespace dim

@@ -9,6 +9,7 @@
 
 #include "network/balance.hpp"
 #include "network/family.hpp"
+#include "network/landing.hpp"
 #include "network/ray_pattern.hpp"
 
 namespace dim {
@@ -35,28 +36,17 @@ class RowTracer {
       const PatchSlice directions(patches, slice);
       for (int sector = 0; sector < patches.n_sectors; ++sector, ++patch) {
         const Ray ray = rays.ray(patches, directions, slice, sector);
-        store(patch, sink_of(caster_.nearest(ray.from, ray.direction, rays.skip()), counts));
+        const Landing landing =
+            landing_of(caster_.nearest(ray.from, ray.direction, rays.skip()), ray.direction, zone_, cells_);
+        counts.escaped += landing.escaped;
+        counts.back += landing.back;
+        store(patch, landing.sink);
       }
     }
     return counts;
   }
 
  private:
-  std::uint32_t sink_of(const Hit& hit, RowCounts& counts) const {
-    const auto nothing = static_cast<std::uint32_t>(cells_.size());
-    if (hit.plate < 0) {
-      ++counts.escaped;
-      return nothing;
-    }
-    const auto surface = static_cast<std::size_t>(hit.plate);
-    if (hit.back || zone_.surfaces[surface].outside) {
-      ++(hit.back ? counts.back : counts.escaped);
-      return nothing;
-    }
-    return static_cast<std::uint32_t>(cells_.first(surface)) +
-           static_cast<std::uint32_t>(cells_.grid(surface).cell_at(hit.local));
-  }
-
   const Zone& zone_;
   const Cells& cells_;
   RayCaster caster_;

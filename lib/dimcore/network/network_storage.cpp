@@ -103,6 +103,32 @@ void store_cells(Hdf5Writer& file, const Zone& zone, const Cells& cells) {
                "index into /zone/surfaces");
   file.dataset("/cells/area", std::span<const double>(area), {n}, "m2");
   file.dataset("/cells/centroid", std::span<const double>(centroid), {n, 3}, "m", "in the zone file's axes");
+  std::vector<std::uint64_t> first_corner{0};
+  std::vector<double> corner;
+  Ring2 outline;
+  for (std::size_t i = 0; i < n; ++i) {
+    cells.outline(i, outline);
+    for (const auto& p : outline) corner.insert(corner.end(), {p.x, p.y});
+    first_corner.push_back(corner.size() / 2);
+  }
+  file.dataset("/cells/first_corner", std::span<const std::uint64_t>(first_corner), {n + 1}, "1",
+               "corners of cell i are first_i to first_i+1");
+  file.dataset("/cells/corner", std::span<const double>(corner), {corner.size() / 2, 2}, "m",
+               "in the surface's frame, counter-clockwise");
+}
+
+Cells load_cells(const Hdf5Reader& file, const Zone& zone, const std::string& path, const Job& job) {
+  const auto area = file.dataset<double>("/cells/area", {kAnySize});
+  const auto surface = file.dataset<std::uint32_t>("/cells/surface", {area.size()});
+  check_cells_fit(zone, job.memory_limit_bytes);
+  Cells cells(zone);
+  constexpr double kSame = 1e-9;
+  bool same = cells.size() == area.size();
+  for (std::size_t i = 0; same && i < area.size(); ++i)
+    same = cells.surface_of(i) == surface[i] && std::abs(cells.area_m2(i) - area[i]) <= kSame * area[i];
+  if (!same)
+    throw IoError(path, "its cells are not those that this version of DIM makes of its zone; make it again");
+  return cells;
 }
 
 std::string save_rays(const std::string& path, const Zone& zone, const Cells& cells, const Network& network,
@@ -141,11 +167,12 @@ std::string save_rays(const std::string& path, const Zone& zone, const Cells& ce
 }
 
 RaysFile load_rays(const std::string& path, const Job& job) {
-  const Hdf5Reader file(path, "rays", kRaysVersion, job);
+  const Hdf5Reader file(path, "rays", kRaysVersion, job, kRaysVersion);
   RaysFile rays;
   rays.hash = file.hash();
   rays.zone = load_zone(file, path);
-  const std::size_t n_cells = file.shape("/cells/area").at(0), n_points = rays.zone.points.size();
+  rays.cells = load_cells(file, rays.zone, path, job);
+  const std::size_t n_cells = rays.cells.size(), n_points = rays.zone.points.size();
   Network& network = rays.network;
   network.patches = load_patches(file, "", path);
   network.point_patches = load_patches(file, "point_", path);

@@ -5,17 +5,23 @@
 
 namespace dim {
 
-inline constexpr int kRaysVersion = 1;
+inline constexpr int kRaysVersion = 2;
 
 /// A `.rays` file: the zone and its ray network. Layout: docs/formats.md.
 struct RaysFile {
   Zone zone;
+  Cells cells;
   Network network;
   std::string hash;  ///< of the file's content
 };
 
-/// Puts the cells' surfaces, areas and centroids into a file under `/cells`.
+/// Puts the cells' surfaces, areas, centroids and outlines into a file under `/cells`.
 void store_cells(Hdf5Writer& file, const Zone& zone, const Cells& cells);
+
+/// The cells of a file's zone, made anew.
+/// @throws IoError     they are not those whose surfaces and areas the file holds
+/// @throws LimitError  they do not fit
+Cells load_cells(const Hdf5Reader& file, const Zone& zone, const std::string& path, const Job& job = {});
 
 /// Writes whole or not at all; `-` is standard output. @returns the content's hash
 /// @throws IoError, Interrupted

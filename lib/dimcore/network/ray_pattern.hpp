@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "base/low_discrepancy.hpp"
-#include "network/cells.hpp"
+#include "network/cell_points.hpp"
 #include "network/network.hpp"
+#include "network/stream_key.hpp"
 
 namespace dim {
 
@@ -18,30 +20,30 @@ class RowRays {
  public:
   /// Rays of a cell.
   RowRays(const Zone& zone, const Cells& cells, std::size_t cell, Sampling sampling, std::uint64_t seed)
-      : surface_(&zone.surfaces[cells.surface_of(cell)]),
-        cell_(&cells[cell]),
-        frame_(surface_->polygon.frame()),
+      : frame_(zone.surfaces[cells.surface_of(cell)].polygon.frame()),
         sampling_(sampling),
-        stream_(cell),
-        points_(mix(seed) ^ stream_),
-        skip_(static_cast<int>(cells.surface_of(cell))) {}
+        points_(mix(seed) ^ cell_key(zone, cells, cell)),
+        skip_(static_cast<int>(cells.surface_of(cell))) {
+    if (sampling == Sampling::centre)
+      frame_.origin = frame_.to_world(cells[cell].centroid);
+    else
+      in_cell_.emplace(zone, cells, cell);
+  }
 
   /// Rays of a measuring point.
   RowRays(const Zone& zone, std::size_t point, Sampling sampling, std::uint64_t seed)
       : frame_(frame_at(zone.points[point])),
         sampling_(sampling),
-        stream_(kPointStreams + point),
-        points_(mix(seed) ^ stream_) {}
+        points_(mix(seed) ^ point_key(zone, point)) {}
 
   /// The ray through a patch. @param directions  of the patch's slice
   Ray ray(const PatchGrid& patches, const PatchSlice& directions, int slice, int sector) const {
+    if (sampling_ == Sampling::centre)
+      return {frame_.origin, frame_.direction_to_world(patches.centre(slice, sector))};
     const auto patch = static_cast<std::size_t>(slice) * static_cast<std::size_t>(patches.n_sectors) +
                        static_cast<std::size_t>(sector);
-    if (sampling_ == Sampling::centre)
-      return {cell_ ? frame_.to_world(cell_->centroid) : frame_.origin,
-              frame_.direction_to_world(patches.centre(slice, sector))};
     const auto x = points_(patch);
-    return {cell_ ? frame_.to_world(point_in_cell(x[2], x[3], stream_ ^ mix(patch))) : frame_.origin,
+    return {in_cell_ ? frame_.to_world((*in_cell_)(x[2], x[3])) : frame_.origin,
             frame_.direction_to_world(directions.direction(sector, x[0], x[1]))};
   }
 
@@ -56,28 +58,11 @@ class RowRays {
   int skip() const { return skip_; }
 
  private:
-  static constexpr std::uint64_t kPointStreams = 1ULL << 40;  // apart from those of the cells
-
-  // The given point of the cell where that is whole, else the first of the stream started there that lies in
-  // the clipped region.
-  Vec2 point_in_cell(double a, double b, std::uint64_t stream) const {
-    Vec2 p = cell_->low + Vec2(a, b) * (cell_->high - cell_->low);
-    if (cell_->whole) return p;
-    constexpr int kTries = 64;
-    const Polygon& polygon = surface_->polygon;
-    for (int i = 0; i < kTries && !polygon.contains(p); ++i) {
-      stream = mix(stream);
-      p = cell_->low + Vec2(unit_from(stream), unit_from(mix(~stream))) * (cell_->high - cell_->low);
-    }
-    return polygon.contains(p) ? p : cell_->centroid;
-  }
-
-  const Surface* surface_ = nullptr;
-  const GridCell* cell_ = nullptr;
-  Frame frame_;
+  Frame
+      frame_;  // of the surface or point; the origin is where all rays start that have no cell to spread over
   Sampling sampling_;
-  std::uint64_t stream_;
   LowDiscrepancy4 points_;
+  std::optional<CellPoints> in_cell_;
   int skip_ = -1;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "photometry/carried_on.hpp"
 #include "photometry/field_lines.hpp"
 #include "photometry/symmetry.hpp"
 
@@ -185,22 +186,42 @@ void refuse_unsorted(const std::vector<double>& angles, const char* what, const 
     }
 }
 
-void take_intensities(Photometry& photometry, const Layout& layout, FieldLines& in) {
+/// Says what follows the intensities that Isym asks for: of further planes, most likely.
+void warn_of_rest(const Layout& layout, std::size_t n_listed, FieldLines& in, Warnings& warnings) {
+  const Place last = in.place();
+  const std::size_t n = in.count_numbers_left();
+  if (n == 0) return;
+  const auto n_gamma = static_cast<std::size_t>(layout.n_gamma);
+  const std::string planes =
+      n % n_gamma == 0 ? fmt::format(" ({} more {})", n / n_gamma, n == n_gamma ? "plane" : "planes") : "";
+  warnings.push_back(
+      {{last.file, last.line + 1, 0},
+       fmt::format("{} more {} after the intensities of the {} {} that Isym {} lists: ignored", n,
+                   n == 1 ? "number" : "numbers", n_listed, n_listed == 1 ? "plane" : "planes", layout.isym) +
+           planes,
+       "where the planes differ, Isym (line 3) is wrong: 0 lists them all"});
+}
+
+void take_intensities(Photometry& photometry, const Layout& layout, FieldLines& in, Warnings& warnings) {
   const auto n_gamma = static_cast<std::size_t>(layout.n_gamma);
   const auto c_deg = in.list("C plane", static_cast<std::size_t>(layout.n_planes), {-360, 360});
   // With rotational symmetry the planes are often left at 0.
   if (layout.isym != 1) refuse_unsorted(c_deg, "C plane", in.place());
-  const auto gamma_deg = in.list("angle gamma", n_gamma, {0, 180});
+  auto gamma_deg = in.list("angle gamma", n_gamma, {0, 180});
   refuse_unsorted(gamma_deg, "angle gamma", in.place());
+  const Place gamma_place = in.place();
   std::vector<double> planes_deg = listed_planes(layout, c_deg);
   auto candelas = in.list("intensity", planes_deg.size() * n_gamma, {0, kMaxIntensity_cd});
+  const Place last_place = in.place();
+  warn_of_rest(layout, planes_deg.size(), in, warnings);
   const double factor = photometry.lamp_sets.front().flux_lm / 1000.0 * photometry.multiplier;
   const double highest = *std::max_element(candelas.begin(), candelas.end());
   if (highest * factor > kMaxIntensity_cd)
     throw InputError(
-        {in.place(),
+        {last_place,
          fmt::format("intensity {} cd/klm x {} is {}", highest, factor, outside({0, kMaxIntensity_cd})), ""});
   for (double& cd : candelas) cd *= factor;
+  carry_on_to_hemispheres(gamma_deg, candelas, gamma_place, warnings);
   photometry.symmetry = planes_deg.size() == 1 ? Symmetry::kAxial : symmetry_of_isym(layout.isym);
   photometry.distribution = expand(photometry.symmetry, planes_deg, gamma_deg, candelas);
 }
@@ -225,6 +246,7 @@ Photometry read_eulumdat(std::string_view bytes, const std::string& file_name, W
   FieldLines in(scanner);
   Photometry photometry;
   photometry.format_year = 0;
+  photometry.format = "EULUMDAT";
   const Layout layout = take_layout(photometry, in);
   keep(photometry, "TEST", in.text("measurement report number"));
   keep(photometry, "LUMINAIRE", in.text("luminaire name"));
@@ -243,7 +265,7 @@ Photometry read_eulumdat(std::string_view bytes, const std::string& file_name, W
          fmt::format("measured tilted by {:g} degrees: gamma 0 is the luminaire's own axis", tilt_deg), ""});
   take_lamps(photometry, in, warnings);
   for (int i = 0; i < kUtilisationFactors; ++i) in.number("direct ratio", kMoreThanAny);
-  take_intensities(photometry, layout, in);
+  take_intensities(photometry, layout, in, warnings);
 
   const IntensityTable table(photometry.distribution);
   photometry.flux_lm = table.flux_lm();

@@ -65,4 +65,11 @@ std::vector<double> FieldLines::list(const std::string& what, std::size_t n, con
   return values;
 }
 
+std::size_t FieldLines::count_numbers_left() {
+  std::size_t n = 0;
+  double value = 0.0;
+  while (!scanner_.at_end()) n += parse_number(with_point(trimmed(scanner_.take_line())), value);
+  return n;
+}
+
 }  // namespace dim

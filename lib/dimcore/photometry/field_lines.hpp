@@ -25,6 +25,9 @@ class FieldLines {
   /// `n` numbers, one a line; none may be empty.
   std::vector<double> list(const std::string& what, std::size_t n, const Limits& limits);
 
+  /// How many of the lines left are a number; takes them all.
+  std::size_t count_numbers_left();
+
   const Place& place() const { return scanner_.place(); }
 
  private:

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
+#include "photometry/carried_on.hpp"
 #include "photometry/ies_labels.hpp"
 #include "photometry/number_reader.hpp"
 #include "photometry/symmetry.hpp"
@@ -39,20 +41,51 @@ LampTilt read_tilt(TextScanner& scanner) {
   return tilt;
 }
 
+/// The data of another file: errors name it and the line, but quote nothing of what may not be lamp data.
+LampTilt read_tilt_file(const std::string& bytes, const std::string& name, const Place& asked) {
+  try {
+    TextScanner scanner(bytes, name);
+    return read_tilt(scanner);
+  } catch (const InputError& error) {
+    const int line = error.problems().front().place.line;
+    throw InputError(
+        {asked, fmt::format("TILT={}: line {} of that file is not lamp tilt data", name, line),
+         "it holds the lamp-to-luminaire geometry (1 to 3), the number of angles, the angles, and a "
+         "factor for each"});
+  }
+}
+
 void take_tilt(Photometry& photometry, const IesLabels& labels, TextScanner& scanner,
                const TiltResolver& resolver) {
   const std::string tilt = in_capitals(labels.tilt);
+  constexpr const char* kCure = "write TILT=NONE, or put the data into the file after TILT=INCLUDE";
   if (tilt == "NONE") return;
   if (tilt == "INCLUDE") {
     photometry.tilt = read_tilt(scanner);
     return;
   }
-  if (tilt.empty() || !resolver)
-    throw InputError({labels.tilt_place, "TILT=" + quoted(labels.tilt) + ": the lamp's tilt data are missing",
-                      "write TILT=NONE, or put the data into the file after TILT=INCLUDE"});
-  const std::string bytes = resolver(labels.tilt);
-  TextScanner tilt_scanner(bytes, labels.tilt);
-  photometry.tilt = read_tilt(tilt_scanner);
+  for (const char* word : {"NONE", "INCLUDE"})
+    if (tilt.starts_with(std::string(word) + " "))
+      throw InputError({labels.tilt_place,
+                        fmt::format("TILT={} is followed by {} on the same line", word,
+                                    quoted(trimmed(std::string_view(labels.tilt).substr(std::strlen(word))))),
+                        "put the numbers on the lines below it"});
+  if (labels.tilt.find_first_of("/\\") != std::string::npos || labels.tilt.starts_with(".."))
+    throw InputError({labels.tilt_place, "TILT=" + quoted(labels.tilt) + " names another folder",
+                      "a TILT file is looked for beside the photometric file only: write its bare name"});
+  if (labels.tilt.empty() || !resolver)
+    throw InputError(
+        {labels.tilt_place, "TILT=" + quoted(labels.tilt) + ": the lamp's tilt data are missing", kCure});
+  std::string bytes;
+  try {
+    bytes = resolver(labels.tilt);
+  } catch (const IoError&) {
+    throw InputError(
+        {labels.tilt_place,
+         fmt::format("TILT={}: there is no such file beside this one that can be read", to_utf8(labels.tilt)),
+         kCure});
+  }
+  photometry.tilt = read_tilt_file(bytes, to_utf8(labels.tilt), labels.tilt_place);
 }
 
 void take_lamps(Photometry& photometry, NumberReader& in, const TextScanner& scanner, Warnings& warnings) {
@@ -166,9 +199,10 @@ Symmetry symmetry_about_aim(const std::vector<double>& h_deg, const std::vector<
   if (v_deg.front() >= 0.0 || v_deg.back() <= 0.0)
     warnings.push_back(
         {place,
-         fmt::format("vertical angles run from {} to {}: no light is taken to leave outside them",
-                     v_deg.front(), v_deg.back()),
-         ""});
+         fmt::format("vertical angles run from {} to {}: read as the {} half alone, no light leaves on the "
+                     "other side of the aim",
+                     v_deg.front(), v_deg.back(), v_deg.front() >= 0.0 ? "upper" : "lower"),
+         "where the luminaire is the same above and below, list both halves, from -90 to 90"});
   if (h_deg.front() == 0.0) return Symmetry::kLateral;
   if (h_deg.front() > 0.0 || h_deg.back() <= 0.0)
     throw InputError({place,
@@ -194,7 +228,8 @@ void take_intensities(Photometry& photometry, const IesCounts& counts, TextScann
                       Warnings& warnings) {
   NumberReader in(scanner);
   const bool type_c = counts.type == PhotometricType::kC;
-  const auto vertical_deg = in.ascending("vertical angle", counts.n_gamma, vertical_limits(counts.type));
+  auto vertical_deg = in.ascending("vertical angle", counts.n_gamma, vertical_limits(counts.type));
+  const Place vertical_place = scanner.place();
   const auto horizontal_deg = in.ascending("horizontal angle", counts.n_c, horizontal_limits(counts.type));
   photometry.symmetry = type_c ? checked_symmetry(horizontal_deg, scanner.place(), warnings)
                                : symmetry_about_aim(horizontal_deg, vertical_deg, scanner.place(), warnings);
@@ -207,6 +242,7 @@ void take_intensities(Photometry& photometry, const IesCounts& counts, TextScann
          fmt::format("candela value {} x factor {} is {}", highest, factor, outside({0, kMaxIntensity_cd})),
          ""});
   for (double& candela : candelas) candela *= factor;
+  if (type_c) carry_on_to_hemispheres(vertical_deg, candelas, vertical_place, warnings);
   photometry.distribution = type_c ? expand(photometry.symmetry, horizontal_deg, vertical_deg, candelas)
                                    : expand_about_aim(counts.type, horizontal_deg, vertical_deg, candelas);
 }
@@ -270,6 +306,7 @@ Photometry read_ies(std::string_view bytes, const std::string& file_name, Warnin
   IesLabels labels = read_ies_labels(scanner, warnings);
   photometry.identifier = std::move(labels.identifier);
   photometry.format_year = labels.format_year;
+  photometry.format = fmt::format("LM-63-{}", labels.format_year);
   photometry.keywords = std::move(labels.keywords);
   take_tilt(photometry, labels, scanner, resolver);
   const IesCounts counts = take_header(photometry, scanner, warnings);

@@ -11,17 +11,33 @@ constexpr std::size_t kMaxLabelLines = 10000;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Year at the end of an identifier's first word ("IESNA:LM-63-2002", "IESNA91"), 0 where there is none.
-int year_in(std::string_view identifier) {
-  std::string_view word = identifier.substr(0, identifier.find_first_of(" \t;,"));
-  std::size_t begin = word.size();
-  while (begin > 0 && is_digit(word[begin - 1])) --begin;
-  word.remove_prefix(begin);
-  if (word.size() != 2 && word.size() != 4) return 0;
+/// The number of two or four digits that text begins with, as a year; 0 where there is none.
+int leading_year(std::string_view text) {
+  std::size_t n = 0;
+  while (n < text.size() && is_digit(text[n])) ++n;
+  if (n != 2 && n != 4) return 0;
   int year = 0;
-  std::from_chars(word.data(), word.data() + word.size(), year);
-  if (word.size() == 4) return year;
+  std::from_chars(text.data(), text.data() + n, year);
+  if (n == 4) return year;
   return year >= 80 ? 1900 + year : 2000 + year;
+}
+
+/// Year of an identifier: "IESNA:LM-63-2002", "IESNA: LM-63-1991", "ANSI/IES LM-63-19", "IESNA91",
+/// "IESNA 91"; 0 where there is none.
+int year_in(std::string_view identifier) {
+  const std::string capitals = in_capitals(identifier);
+  std::string_view rest = capitals;
+  if (const auto standard = rest.find("63"); rest.find("LM") < standard) {
+    if (standard == std::string_view::npos) return 0;
+    rest.remove_prefix(std::min(rest.size(), rest.find_first_not_of(" -:/", standard + 2)));
+    return leading_year(rest);
+  }
+  for (const std::string_view name : {"IESNA", "IES"}) {
+    if (!rest.starts_with(name)) continue;
+    rest.remove_prefix(std::min(rest.size(), rest.find_first_not_of(" -:", name.size())));
+    return leading_year(rest);
+  }
+  return 0;
 }
 
 void take_identifier(IesLabels& labels, std::string_view line, const Place& place, Warnings& warnings) {
@@ -36,12 +52,22 @@ void take_identifier(IesLabels& labels, std::string_view line, const Place& plac
                       "read as LM-63-" + std::to_string(labels.format_year)});
 }
 
+/// Forms that occur: `NONE;`, `FILE lamp.tlt`, `"lamp.tlt"`.
+std::string_view without_decoration(std::string_view tilt) {
+  while (!tilt.empty() && (tilt.back() == ';' || tilt.back() == ','))
+    tilt = trimmed(tilt.substr(0, tilt.size() - 1));
+  for (const char* word : {"FILE ", "FILE="})
+    if (in_capitals(tilt.substr(0, 5)) == word) tilt = trimmed(tilt.substr(5));
+  if (tilt.size() > 1 && tilt.front() == '"' && tilt.back() == '"') tilt = tilt.substr(1, tilt.size() - 2);
+  return tilt;
+}
+
 /// What follows TILT=, or nothing if the line is another.
 bool is_tilt_line(std::string_view line, std::string& tilt) {
   if (in_capitals(line.substr(0, 4)) != "TILT") return false;
   const std::string_view rest = trimmed(line.substr(4));
   if (rest.empty() || rest.front() != '=') return false;
-  tilt = std::string(trimmed(rest.substr(1)));
+  tilt = std::string(without_decoration(trimmed(rest.substr(1))));
   return true;
 }
 
@@ -87,7 +113,9 @@ IesLabels read_ies_labels(TextScanner& scanner, Warnings& warnings) {
       labels.tilt_place = scanner.place();
       return labels;
     }
-    if (first && in_capitals(line.substr(0, 3)) == "IES")
+    const std::string capitals = first ? in_capitals(line.substr(0, 80)) : "";
+    if (capitals.starts_with("IES") ||
+        (capitals.starts_with("ANSI") && capitals.find("LM") != std::string::npos))
       take_identifier(labels, line, scanner.place(), warnings);
     else
       take_label(labels, line);

@@ -105,6 +105,7 @@ void IntensityTable::summarise() {
   std::vector<double> plane_max_cd(c.size(), 0.0);
   std::size_t lit_end = 0;  // one past the last gamma with light
   axial_ = kind_ == Kind::kTable;
+  if (kind_ == Kind::kTable) ring_max_cd_.assign(n_gamma_, 0.0);
   for (std::size_t p = 0; p < c.size(); ++p) {
     const double before = p > 0 ? c[p] - c[p - 1] : 0.0;
     const double after = p + 1 < c.size() ? c[p + 1] - c[p] : 0.0;
@@ -112,6 +113,7 @@ void IntensityTable::summarise() {
     for (std::size_t g = 0; g < n_gamma_; ++g) {
       round[g] += 0.5 * (before + after) * row[g];
       plane_max_cd[p] = std::max(plane_max_cd[p], row[g]);
+      if (kind_ == Kind::kTable) ring_max_cd_[g] = std::max(ring_max_cd_[g], row[g]);
       if (row[g] > 0.0) lit_end = std::max(lit_end, g + 1);
       if (row[g] != cd_[g]) axial_ = false;
     }
@@ -122,6 +124,67 @@ void IntensityTable::summarise() {
     flux_lm_ += weights.lower * round[g] + weights.upper * round[g + 1];
   }
   zero_behind_ = !lit_behind(plane_max_cd, lit_end);
+  summarise_emission();
+}
+
+void IntensityTable::summarise_emission() {
+  const auto& c = c_.nodes_rad();
+  const auto& gamma = gamma_.nodes_rad();
+  emitted_.assign(1, 0.0);
+  emitted_.reserve((c.size() - 1) * (n_gamma_ - 1) + 1);
+  for (std::size_t p = 0; p + 1 < c.size(); ++p) {
+    for (std::size_t g = 0; g + 1 < n_gamma_; ++g) {
+      const double* row = cd_.data() + p * n_gamma_ + g;
+      const double mean_cd = 0.25 * (row[0] + row[1] + row[n_gamma_] + row[n_gamma_ + 1]);
+      emitted_.push_back(emitted_.back() +
+                         mean_cd * (c[p + 1] - c[p]) * (std::cos(gamma[g]) - std::cos(gamma[g + 1])));
+    }
+  }
+}
+
+Vec3 IntensityTable::direction_of(double plane_rad, double from_pole_rad) const {
+  const double across = std::sin(from_pole_rad), along = std::cos(from_pole_rad);
+  const double cosine = across * std::cos(plane_rad), sine = across * std::sin(plane_rad);
+  if (kind_ != Kind::kTurnedTable) return {cosine, sine, along};
+  return type_ == PhotometricType::kB ? Vec3(-along, sine, cosine) : Vec3(sine, -along, cosine);
+}
+
+IntensityTable::Emission IntensityTable::emission(double a, double b) const {
+  if (!(flux_lm_ > 0.0)) return {{0.0, 0.0, 1.0}, 0.0};
+  if (kind_ == Kind::kIsotropic || kind_ == Kind::kLambertian) {
+    const double z = kind_ == Kind::kIsotropic ? 1.0 - 2.0 * b : std::sqrt(1.0 - b);
+    const double r = std::sqrt(std::max(0.0, 1.0 - z * z));
+    return {{r * std::cos(2.0 * kPi * a), r * std::sin(2.0 * kPi * a), z}, 1.0};
+  }
+  const double wanted = a * emitted_.back();
+  const auto found = std::upper_bound(emitted_.begin(), emitted_.end() - 1, wanted);
+  const auto part = static_cast<std::size_t>(found - emitted_.begin()) - 1;
+  const std::size_t p = part / (n_gamma_ - 1), g = part % (n_gamma_ - 1);
+  const double share_lm = emitted_[part + 1] - emitted_[part];
+  const double t = std::clamp((wanted - emitted_[part]) / share_lm, 0.0, 1.0);
+  const double c0 = c_.nodes_rad()[p], c1 = c_.nodes_rad()[p + 1];
+  const double z0 = std::cos(gamma_.nodes_rad()[g]), z1 = std::cos(gamma_.nodes_rad()[g + 1]);
+  const double gamma = std::clamp(std::acos(std::clamp(z0 + b * (z1 - z0), -1.0, 1.0)),
+                                  gamma_.nodes_rad()[g], gamma_.nodes_rad()[g + 1]);
+  const double plane = c0 + t * (c1 - c0);
+  // Density of the draw: share_lm / emitted_.back() over the part's solid angle.
+  const double density_per_sr = share_lm / emitted_.back() / ((c1 - c0) * (z0 - z1));
+  return {direction_of(plane, gamma), between_planes(plane, gamma) / flux_lm_ / density_per_sr};
+}
+
+double IntensityTable::bound_cd(const Vec3& dir_local, double half_angle_rad) const {
+  if (kind_ != Kind::kTable) return max_cd_;
+  const double gamma = half_turn_angle(std::hypot(dir_local.x, dir_local.y), dir_local.z);
+  const auto& nodes = gamma_.nodes_rad();
+  // From the node at or before the cone to the one at or behind it.
+  auto first = std::upper_bound(nodes.begin(), nodes.end(), gamma - half_angle_rad);
+  if (first != nodes.begin()) --first;
+  auto last = std::lower_bound(nodes.begin(), nodes.end(), gamma + half_angle_rad);
+  if (last != nodes.end()) ++last;
+  double bound = 0.0;
+  for (auto node = first; node < last; ++node)
+    bound = std::max(bound, ring_max_cd_[static_cast<std::size_t>(node - nodes.begin())]);
+  return bound;
 }
 
 double IntensityTable::at_c_gamma(double c_rad, double gamma_rad) const {

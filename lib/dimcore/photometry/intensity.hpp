@@ -66,12 +66,25 @@ class IntensityTable {
   /// @param gamma_rad  0..pi
   double at_c_gamma(double c_rad, double gamma_rad) const;
 
+  /// A direction of emission: drawn nearly in proportion to the intensity, whatever the width of the beam.
+  struct Emission {
+    Vec3 direction{0.0};  ///< unit
+    double weight = 0.0;  ///< flux it stands for over the mean: the mean of all is 1
+  };
+  /// The emission that belongs to (a, b) of the unit square: the part of the table between neighbouring angles
+  /// by its flux, evenly over its solid angle. Where there is no flux, the aim with weight 0.
+  Emission emission(double a, double b) const;
+
   /// Flux in lm: the exact integral of what `at` returns over the sphere.
   double flux_lm() const { return flux_lm_; }
   /// Largest intensity in any direction, cd.
   double max_cd() const { return max_cd_; }
   /// True where nothing is emitted at gamma > 90 degrees.
   bool zero_behind() const { return zero_behind_; }
+  /// A bound from above on the intensity in all directions within `half_angle_rad` of `dir_local`, cd: 0 only
+  /// where there is no light at all.
+  double bound_cd(const Vec3& dir_local, double half_angle_rad) const;
+  bool is_lambertian() const { return kind_ == Kind::kLambertian; }
   /// True where the intensity does not depend on C.
   bool axial() const { return axial_; }
 
@@ -94,6 +107,8 @@ class IntensityTable {
     return lower + (along_gamma(row + n_gamma_, g) - lower) * p.fraction;
   }
   void summarise();
+  void summarise_emission();
+  Vec3 direction_of(double plane_rad, double from_pole_rad) const;
   bool lit_behind(const std::vector<double>& plane_max_cd, std::size_t lit_end) const;
 
   Kind kind_ = Kind::kTable;
@@ -106,6 +121,8 @@ class IntensityTable {
   AngleGrid c_;
   AngleGrid gamma_;
   std::vector<double> cd_;
+  std::vector<double> ring_max_cd_;  // [n_gamma] over all planes; type C only
+  std::vector<double> emitted_;  // [(n_c - 1) * (n_gamma - 1) + 1] flux of parts before each, roughly, lm
 };
 
 }  // namespace dim

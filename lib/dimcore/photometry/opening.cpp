@@ -105,6 +105,26 @@ std::vector<Vec3> sample_grid(const LuminousOpening& opening, int n_length, int 
   return points;
 }
 
+std::vector<Vec3> outline(const LuminousOpening& opening) {
+  if (!(area_m2(opening) > 0.0)) return {};
+  const bool upright = opening.shape == OpeningShape::kVerticalEllipse;
+  const double a = (upright ? opening.width_m : opening.length_m) / 2.0;
+  const double b = (upright ? opening.height_m : opening.width_m) / 2.0;
+  std::vector<Vec3> ring;
+  const auto add = [&](double x, double y) {
+    ring.push_back(upright ? Vec3(0.0, x, y) : Vec3(x, y, 0.0));
+  };
+  if (!round_shape(opening.shape)) {
+    add(-a, -b), add(a, -b), add(a, b), add(-a, b);
+    return ring;
+  }
+  // Corners a little outside, so that the area is that of the round shape.
+  const double turn = 2.0 * kPi / kRoundCorners, swell = std::sqrt(turn / std::sin(turn));
+  for (int i = 0; i < kRoundCorners; ++i)
+    add(swell * a * std::cos(i * turn), swell * b * std::sin(i * turn));
+  return ring;
+}
+
 double area_m2(const LuminousOpening& opening) {
   if (opening.shape == OpeningShape::kPoint) return 0.0;
   if (opening.shape == OpeningShape::kVerticalEllipse) return kPi / 4 * opening.width_m * opening.height_m;

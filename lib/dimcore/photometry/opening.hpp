@@ -54,6 +54,14 @@ Vec3 sample(const LuminousOpening& opening, const Vec2& unit);
 /// @param n_length, n_width  at least 1; a point has one sample, a line as many as the larger of the two
 std::vector<Vec3> sample_grid(const LuminousOpening& opening, int n_length, int n_width);
 
+/// Corners of a round opening's outline.
+inline constexpr int kRoundCorners = 32;
+
+/// Outline of what `sample` covers, in the luminaire's frame, metres; round shapes as a polygon of equal area.
+/// Seen in space from behind the opening (from -aim, of a vertical ellipse from C180) it runs
+/// counter-clockwise. Empty where the area is zero.
+std::vector<Vec3> outline(const LuminousOpening& opening);
+
 /// Area that `sample` covers, m2; zero for a point and a line.
 double area_m2(const LuminousOpening& opening);
 

@@ -7,6 +7,7 @@
 
 #include "photometry/intensity.hpp"
 #include "photometry/opening.hpp"
+#include "spectrum/curve.hpp"
 
 namespace dim {
 
@@ -36,7 +37,7 @@ struct LampTilt {
 /// @param tilt_rad  0..pi
 double tilt_factor(const LampTilt& tilt, double tilt_rad);
 
-/// One of the sets of lamps that an EULUMDAT file gives for a luminaire.
+/// One of the sets of lamps that an EULUMDAT file gives for a luminaire, or an emitter of a TM-33 file.
 struct LampSet {
   int n_lamps = 1;  ///< of the set
   std::string type;
@@ -52,8 +53,9 @@ struct Photometry {
   LuminousOpening opening;
   Symmetry symmetry = Symmetry::kAxial;
 
+  std::string format;      ///< "LM-63-2002", "EULUMDAT", "TM-33-18"
   std::string identifier;  ///< LM-63: first line of the file; empty where it has none (1986) and in EULUMDAT
-  int format_year = 1986;  ///< LM-63: 1986, 1991, 1995, 2002 or 2019, the rules it was read by; EULUMDAT: 0
+  int format_year = 1986;  ///< LM-63: 1986, 1991, 1995, 2002 or 2019, the rules it was read by; else 0
   /// In the file's order; keywords in capitals without brackets, continuation lines joined by a blank, text
   /// in UTF-8. A label line of LM-63-1986 has an empty keyword.
   std::vector<std::pair<std::string, std::string>> keywords;
@@ -65,8 +67,10 @@ struct Photometry {
   double ballast_lamp_factor = 1.0;       ///< only LM-63-1986 and 1991 have one
   std::optional<double> file_generation;  ///< LM-63-2019: how the data were made, 1.0 to 1.9; not a factor
   std::optional<double> watts;
-  std::optional<LampTilt> tilt;    ///< of LM-63; the distribution is that of the measured position
-  std::vector<LampSet> lamp_sets;  ///< of EULUMDAT; the distribution is that of the first
+  std::optional<LampTilt> tilt;  ///< of LM-63; the distribution is that of the measured position
+  /// Of EULUMDAT, where the distribution is that of the first; of TM-33, where it is that of all together.
+  std::vector<LampSet> lamp_sets;
+  std::optional<SpectralCurve> spectrum;  ///< relative; of TM-33
 
   double flux_lm = 0.0;  ///< integral of `distribution`
   double max_cd = 0.0;

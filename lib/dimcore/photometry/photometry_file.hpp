@@ -9,11 +9,19 @@
 
 namespace dim {
 
-/// Whether a name ends as photometric files do: .ies or .ldt, in either case.
+/// Whether a name ends as photometric files do: .ies, .ldt or .xml (TM-33), in either case.
 bool is_photometric_name(const std::string& name);
 
-/// Reads a photometric file of either format, told apart by its contents: an LM-63 file has a line TILT=, an
-/// EULUMDAT file (read_eulumdat) has none.
+/// What a photometric file of another kind is, by its name, and where to get one that can be read; empty
+/// where the name says nothing. "a GLDF container" for .gldf.
+struct ForeignFormat {
+  std::string what;
+  std::string cure;
+};
+ForeignFormat foreign_format(const std::string& name);
+
+/// Reads a photometric file of any format, told apart by its contents: a TM-33 file is XML, an LM-63 file has
+/// a line TILT=, an EULUMDAT file (read_eulumdat) has none.
 /// @param resolver  see read_ies
 /// @throws InputError
 Photometry read_photometry(std::string_view bytes, const std::string& file_name, Warnings& warnings,

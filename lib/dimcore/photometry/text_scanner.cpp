@@ -164,8 +164,9 @@ TextScanner::TextScanner(std::string_view text, std::string file)
     : text_(text), place_{std::move(file), 1, 1} {}
 
 void TextScanner::end_line() {
-  if (text_[at_] == '\r' && at_ + 1 < text_.size() && text_[at_ + 1] == '\n') ++at_;
-  ++at_;
+  // CR CR LF is what text mode makes of a CR LF of its own: one line end, not an empty line more.
+  const std::string_view rest = text_.substr(at_, 3);
+  at_ += rest == "\r\r\n" ? 3 : rest.substr(0, 2) == "\r\n" ? 2 : 1;
   ++line_;
   line_start_ = at_;
 }

@@ -30,7 +30,8 @@ std::string in_capitals(std::string_view text);
 /// A word of the input for a message: quoted, cut to a readable length, unprintable bytes as '?'.
 std::string quoted(std::string_view word);
 
-/// Reads lines and numbers from a text in memory, keeping the place. Lines end in LF, CR LF or CR; numbers
+/// Reads lines and numbers from a text in memory, keeping the place. Lines end in LF, CR LF, CR or
+/// CR CR LF (a file that went through text mode twice); numbers
 /// are separated by blanks, tabs, commas, semicolons and line ends, in any mixture.
 class TextScanner {
  public:

@@ -11,18 +11,38 @@ double BandReflection::fresnel(double cos_incidence) const {
   return specular * (constant ? *constant : fresnel_reflectance(cos_incidence, n, k));
 }
 
-BandReflection band_reflection(const Finish& finish, double low_nm, double high_nm) {
+namespace {
+
+// `mean` takes a curve of the finish to its value in the band.
+template <typename Mean>
+BandReflection reflection_of(const Finish& finish, const Mean& mean) {
   BandReflection reflection;
   reflection.specular = finish.specular;
-  reflection.diffuse = (1.0 - finish.specular) * finish.diffuse.mean(low_nm, high_nm);
+  reflection.diffuse = (1.0 - finish.specular) * mean(finish.diffuse);
   if (finish.specular == 0.0) return reflection;
   if (finish.specular_reflectance) {
-    reflection.constant = finish.specular_reflectance->mean(low_nm, high_nm);
+    reflection.constant = mean(*finish.specular_reflectance);
     return reflection;
   }
-  reflection.n = finish.ior.mean(low_nm, high_nm);
-  if (finish.extinction) reflection.k = finish.extinction->mean(low_nm, high_nm);
+  reflection.n = mean(finish.ior);
+  if (finish.extinction) reflection.k = mean(*finish.extinction);
   return reflection;
+}
+
+}  // namespace
+
+BandReflection band_reflection(const Finish& finish, double low_nm, double high_nm) {
+  return reflection_of(finish, [&](const SpectralCurve& curve) { return curve.mean(low_nm, high_nm); });
+}
+
+BandReflection weighted_reflection(const Finish& finish, const LatticeValues& weights) {
+  return reflection_of(finish, [&](const SpectralCurve& curve) {
+    if (curve.is_flat()) return curve.max();
+    const LatticeValues values = on_lattice(curve);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < kTableSize; ++i) sum += weights[i] * values[i];
+    return sum;
+  });
 }
 
 FacetDistribution facet_distribution(const Finish& finish) {

@@ -4,6 +4,7 @@
 
 #include "reflection/facets.hpp"
 #include "reflection/finish.hpp"
+#include "spectrum/lattice.hpp"
 
 namespace dim {
 
@@ -21,6 +22,10 @@ struct BandReflection {
 
 /// Band means of a finish's curves.
 BandReflection band_reflection(const Finish& finish, double low_nm, double high_nm);
+
+/// Means over the visible range with weights that add up to 1 (luminous_weights): one band in which diffuse
+/// reflection has the luminous reflectance.
+BandReflection weighted_reflection(const Finish& finish, const LatticeValues& weights);
 
 FacetDistribution facet_distribution(const Finish& finish);
 

@@ -1,67 +1,53 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "base/hdf5_file.hpp"
 #include "base/job.hpp"
-#include "photometry/opening.hpp"
-#include "scene/zone.hpp"
-#include "transport/simulate.hpp"
+#include "result/content.hpp"
+#include "result/transfer.hpp"
 
 namespace dim {
 
-inline constexpr int kLumVersion = 1;
-
-/// A luminaire as a picture needs it: where its opening is and how bright it looks.
-struct ShownLuminaire {
-  std::string name;
-  std::size_t source = 0;  ///< index into the sources
-  Vec3 at{0.0}, c0{1, 0, 0}, c90{0, 1, 0}, aim{0, 0, -1};
-  LuminousOpening opening;
-  std::size_t photometry = 0;  ///< index into LuminanceDatabase::photometry
-  double factor = 1.0;
-  bool body = false;     ///< the opening also obstructs
-  int mirror_depth = 0;  ///< mirrors one after the other that the cells' direct light has images of it in
-};
-
-/// Mean intensity over C at each degree of gamma from 0 to 180, cd.
-using MeanIntensity = std::vector<double>;
-
-/// Writes a luminance database (`.lum`), whole or not at all; `-` is standard output. Layout:
-/// docs/formats.md.
-/// @param rays_hash  of the network the solution was made on
-/// @returns the content's hash
-/// @throws IoError, Interrupted
-std::string save_lum(const std::string& path, const Zone& zone, const Cells& cells, const Lights& lights,
-                     const Solution& solution, const std::string& rays_hash, const Job& job = {});
-
-/// An opened luminance database. What is small is read at once, irradiances as asked for.
+/// A luminance database: from a file, whose light is read as asked for, or straight from the solver. Tables,
+/// mixes and pictures do not tell the two apart.
 class LuminanceDatabase {
  public:
-  /// @throws IoError  missing, damaged, foreign or newer file
+  /// @throws IoError  missing, damaged, foreign, older or newer file
   explicit LuminanceDatabase(const std::string& path, const Job& job = {});
+  /// @throws InternalError  a luminaire that belongs to no source
+  LuminanceDatabase(const Zone& zone, const Lights& lights, Solution solution);
 
-  const Zone& zone() const { return zone_; }
-  const Bands& bands() const { return bands_; }
-  const std::vector<Source>& sources() const { return sources_; }
-  const std::vector<ShownLuminaire>& luminaires() const { return luminaires_; }
-  const std::vector<MeanIntensity>& photometry() const { return photometry_; }
-  /// Relative spectra of the sources, in their order; empty in files of programs that did not store them.
-  const std::vector<SpectralCurve>& spectra() const { return spectra_; }
+  const Zone& zone() const { return content_.zone; }
+  const Bands& bands() const { return content_.bands; }
+  /// How finishes reflect in each class of bands, as solved with.
+  const ReflectanceClasses& classes() const { return content_.classes; }
+  const std::vector<Source>& sources() const { return content_.sources; }
+  const std::vector<ShownSpectrum>& spectra() const { return content_.spectra; }
+  const std::vector<ShownLuminaire>& luminaires() const { return content_.luminaires; }
+  const std::vector<ShownPhotometry>& photometry() const { return content_.photometry; }
   /// Intensity of each photometry in every direction, on a grid of 5 degrees in C and 1 in gamma.
-  const std::vector<IntensityTable>& intensities() const { return intensities_; }
-  const std::string& hash() const { return file_.hash(); }
+  const std::vector<IntensityTable>& intensities() const { return content_.intensities; }
+  /// Of the file's content; empty in memory.
+  const std::string& hash() const { return hash_; }
   const std::string& rays_hash() const { return rays_hash_; }
-  std::size_t n_cells() const { return n_cells_; }
+  std::size_t n_cells() const { return content_.n_cells; }
+  /// Cells that also reflect by a lobe, ascending, and the grid of its patches.
+  const std::vector<std::uint32_t>& off_specular_cells() const { return content_.off_specular; }
+  const PatchGrid& directional_grid() const { return content_.directional_grid; }
+
+  /// Gives a source another spectrum: no new solution is needed for it, since transfer is apart from spectra.
+  /// @throws InputError  where reflectances were weighted with the light of the lamps' own spectra
+  void set_spectrum(std::size_t source, const SpectralCurve& spectrum);
+
+  /// Transfer of one source as stored: lx (lobes: cd/m2) by class, see `Solution`.
+  std::vector<float> transfer(TransferPart part, std::size_t source) const;
 
   /// Total irradiance of all cells from one source, W/m2. [n_bands, n_cells]
   std::vector<float> cell_irradiance(std::size_t source) const;
   /// The same of direct light alone.
   std::vector<float> direct_cell_irradiance(std::size_t source) const;
-  /// Cells that also reflect by a lobe, ascending, and the grid of its patches.
-  const std::vector<std::uint32_t>& off_specular_cells() const { return off_specular_; }
-  const PatchGrid& directional_grid() const { return directional_grid_; }
   /// Radiance by lobes from one source, W/(m2 sr); of direct light alone. [n_bands, n_off_specular,
   /// n_patches]
   std::vector<float> lobe_radiance(std::size_t source) const;
@@ -70,23 +56,11 @@ class LuminanceDatabase {
   std::vector<float> point_irradiance(std::size_t source) const;
 
  private:
-  void load_directional();
-  std::vector<float> directional(const std::string& dataset, std::size_t source) const;
-  std::vector<float> of_source(const std::string& dataset, std::size_t source, std::size_t n) const;
+  std::vector<float> by_band(TransferPart part, std::size_t source) const;
 
-  std::string path_;
-  Hdf5Reader file_;
-  Zone zone_;
-  Bands bands_;
-  std::vector<Source> sources_;
-  std::vector<ShownLuminaire> luminaires_;
-  std::vector<MeanIntensity> photometry_;
-  std::vector<IntensityTable> intensities_;
-  std::vector<std::uint32_t> off_specular_;
-  PatchGrid directional_grid_;
-  std::vector<SpectralCurve> spectra_;
-  std::string rays_hash_;
-  std::size_t n_cells_ = 0;
+  ResultContent content_;
+  std::unique_ptr<TransferStore> light_;
+  std::string hash_, rays_hash_;
 };
 
 }  // namespace dim

@@ -4,13 +4,15 @@
 
 #include "network/cells.hpp"
 #include "result/luminous.hpp"
+#include "spectrum/band_choice.hpp"
 #include "spectrum/rendering.hpp"
 #include "spectrum/white.hpp"
 
 namespace dim {
 
 /// What a light is like. NaN where it is not defined: chromaticity without light, temperature far from white,
-/// Ra without a temperature, Ra and melanopic EDI where the database holds no spectra.
+/// Ra without a temperature; and temperature, Ra and melanopic EDI of light whose spectrum is not known well
+/// enough (LightColours::left_out).
 struct LightColour {
   double illuminance_lx = 0.0;
   Vec2 xy{0.0};  ///< CIE 1931
@@ -26,8 +28,9 @@ class LightColours {
  public:
   explicit LightColours(const LuminanceDatabase& database);
 
-  /// False for files of programs that did not store spectra.
-  bool has_spectra() const { return has_spectra_; }
+  /// Why colour temperature, Ra and melanopic EDI are left out of some figures of a mix: sources whose
+  /// spectrum nobody stated, too few bands for the finishes that colour the light.
+  Warnings left_out(const Mix& mix) const;
 
   /// Of each measuring point. [n_points]
   std::vector<LightColour> at_points(const Mix& mix) const;
@@ -35,14 +38,15 @@ class LightColours {
   std::vector<LightColour> on_surfaces(const Cells& cells, const Mix& mix) const;
 
  private:
-  // Sum over sources and bands of irradiance times response. `read(s)` gives [n_bands, n] irradiances, W/m2.
+  // Sum over sources and classes of transfer times response. `read(s)` gives [n_classes, n] transfer, lx.
   template <typename Read>
   std::vector<LightColour> mixed(std::size_t n, const Mix& mix, const Read& read) const;
-  LightColour figures(const LightResponses& light) const;
+  LightColour figures(const LightResponses& light, bool known) const;
+  bool unknown(const Mix& mix, std::size_t source) const;
 
   const LuminanceDatabase& database_;
-  bool has_spectra_;
-  std::vector<LightResponses> per_W_;  // [source, band], of 1 W in the band
+  BandChoice bands_;                    // how far off they are
+  std::vector<LightResponses> per_lm_;  // [source, class], of 1 lm of the source sent through the class
 };
 
 }  // namespace dim

@@ -4,22 +4,19 @@
 #include <cmath>
 #include <limits>
 
-#include "reflection/specular.hpp"
-
 namespace dim {
 namespace {
 
-using Reader = std::vector<float> (LuminanceDatabase::*)(std::size_t) const;
-
 std::vector<double> illuminance_lx(const LuminanceDatabase& database, const Mix& mix, std::size_t n,
-                                   Reader read) {
+                                   TransferPart part) {
   std::vector<double> lx(n, 0.0);
   for (std::size_t s = 0; s < mix.size(); ++s) {
     if (mix[s] == 0.0) continue;
-    const auto irradiance = (database.*read)(s);
-    for (std::size_t b = 0; b < database.bands().size(); ++b) {
-      const double factor = mix[s] * kMaxEfficacy_lm_W * database.sources()[s].weights.y[b];
-      for (std::size_t i = 0; i < n; ++i) lx[i] += factor * static_cast<double>(irradiance[b * n + i]);
+    const auto transfer = database.transfer(part, s);
+    const auto xyz = database.sources()[s].xyz_by_class(database.classes());
+    for (std::size_t q = 0; q < xyz.size(); ++q) {
+      for (std::size_t i = 0; i < n; ++i)
+        lx[i] += mix[s] * xyz[q].y * static_cast<double>(transfer[q * n + i]);
     }
   }
   return lx;
@@ -27,26 +24,30 @@ std::vector<double> illuminance_lx(const LuminanceDatabase& database, const Mix&
 
 }  // namespace
 
+std::vector<std::size_t> sources_named(const std::string& name, const std::vector<Source>& sources,
+                                       const std::string& option) {
+  std::vector<std::size_t> found;
+  std::vector<std::string> names;
+  for (std::size_t s = 0; s < sources.size(); ++s) {
+    names.push_back(sources[s].name);
+    names.push_back(sources[s].group);
+    if (sources[s].name == name || sources[s].group == name) found.push_back(s);
+  }
+  if (found.empty())
+    throw InputError({{}, "no source or group '" + name + "' for " + option, name_cure(name, names)});
+  return found;
+}
+
 Mix parse_mix(const std::vector<std::string>& texts, const std::vector<Source>& sources) {
   Mix mix(sources.size(), 1.0);
   for (const auto& text : texts) {
     const auto equals = text.rfind('=');
-    const std::string name = text.substr(0, equals);
     char* end = nullptr;
     const std::string number = equals == std::string::npos ? "" : text.substr(equals + 1);
     const double factor = std::strtod(number.c_str(), &end);
     if (number.empty() || *end != '\0' || !(factor >= 0.0) || !std::isfinite(factor))
       throw InputError({{}, "--mix '" + text + "' is not NAME=FACTOR with a factor of at least 0", ""});
-    bool found = false;
-    std::vector<std::string> names;
-    for (std::size_t s = 0; s < sources.size(); ++s) {
-      names.push_back(sources[s].name);
-      names.push_back(sources[s].group);
-      if (sources[s].name != name && sources[s].group != name) continue;
-      mix[s] = factor;
-      found = true;
-    }
-    if (!found) throw InputError({{}, "no source or group '" + name + "' for --mix", name_cure(name, names)});
+    for (const std::size_t s : sources_named(text.substr(0, equals), sources, "--mix")) mix[s] = factor;
   }
   return mix;
 }
@@ -58,11 +59,11 @@ Mix only(const Mix& mix, std::size_t source) {
 }
 
 std::vector<double> point_illuminance_lx(const LuminanceDatabase& database, const Mix& mix) {
-  return illuminance_lx(database, mix, database.zone().points.size(), &LuminanceDatabase::point_irradiance);
+  return illuminance_lx(database, mix, database.zone().points.size(), TransferPart::point_total);
 }
 
 std::vector<double> cell_illuminance_lx(const LuminanceDatabase& database, const Mix& mix) {
-  return illuminance_lx(database, mix, database.n_cells(), &LuminanceDatabase::cell_irradiance);
+  return illuminance_lx(database, mix, database.n_cells(), TransferPart::cell_total);
 }
 
 namespace {
@@ -72,19 +73,18 @@ void add_lobes(const LuminanceDatabase& database, std::size_t source, double fac
                CellAppearance& appearance) {
   const auto& cells = database.off_specular_cells();
   if (cells.empty()) return;
-  const auto radiance = database.lobe_radiance(source);
-  const auto& weights = database.sources()[source].weights;
+  const auto luminance = database.transfer(TransferPart::lobe_total, source);
+  const auto xyz = database.sources()[source].xyz_by_class(database.classes());
   const PatchGrid& grid = database.directional_grid();
   const std::size_t n_patches = grid.n_patches();
-  for (std::size_t b = 0; b < database.bands().size(); ++b) {
-    const Vec3 response = factor * kMaxEfficacy_lm_W * Vec3(weights.x[b], weights.y[b], weights.z[b]);
+  for (std::size_t q = 0; q < xyz.size(); ++q) {
     for (std::size_t g = 0; g < cells.size(); ++g) {
-      const float* of_patch = &radiance[(b * cells.size() + g) * n_patches];
+      const float* of_patch = &luminance[(q * cells.size() + g) * n_patches];
       double exitance = 0.0;
       for (std::size_t p = 0; p < n_patches; ++p)
         exitance += static_cast<double>(of_patch[p]) *
                     grid.weight_sr(static_cast<int>(p / static_cast<std::size_t>(grid.n_sectors)));
-      appearance.xyz_cd_m2[cells[g]] += response * (exitance / kPi);
+      appearance.xyz_cd_m2[cells[g]] += factor * exitance / kPi * xyz[q];
     }
   }
 }
@@ -93,23 +93,19 @@ void add_lobes(const LuminanceDatabase& database, std::size_t source, double fac
 
 CellAppearance cell_appearance(const LuminanceDatabase& database, const Cells& cells, const Mix& mix) {
   const Zone& zone = database.zone();
-  const Bands& bands = database.bands();
+  const auto& classes = database.classes();
   const std::size_t n = cells.size();
   CellAppearance appearance{std::vector<double>(n, 0.0), std::vector<Vec3>(n, Vec3(0.0))};
   for (std::size_t s = 0; s < mix.size(); ++s) {
     if (mix[s] == 0.0) continue;
-    const auto irradiance = database.cell_irradiance(s);
-    const auto& weights = database.sources()[s].weights;
-    for (std::size_t b = 0; b < bands.size(); ++b) {
-      std::vector<double> reflectance;
-      for (const auto& finish : zone.finishes)
-        reflectance.push_back(band_reflection(finish, bands.low_nm(b), bands.high_nm(b)).diffuse);
-      const Vec3 response = mix[s] * kMaxEfficacy_lm_W * Vec3(weights.x[b], weights.y[b], weights.z[b]);
+    const auto transfer = database.transfer(TransferPart::cell_total, s);
+    const auto xyz = database.sources()[s].xyz_by_class(classes);
+    for (std::size_t q = 0; q < classes.size(); ++q) {
       for (std::size_t i = 0; i < n; ++i) {
-        const double e = static_cast<double>(irradiance[b * n + i]);
-        const auto finish = static_cast<std::size_t>(zone.surfaces[cells.surface_of(i)].finish);
-        appearance.illuminance_lx[i] += response.y * e;
-        appearance.xyz_cd_m2[i] += response * (reflectance[finish] * e / kPi);
+        const Vec3 incident = mix[s] * static_cast<double>(transfer[q * n + i]) * xyz[q];
+        appearance.illuminance_lx[i] += incident.y;
+        appearance.xyz_cd_m2[i] +=
+            classes.at(q, zone.surfaces[cells.surface_of(i)].finish).diffuse / kPi * incident;
       }
     }
     add_lobes(database, s, mix[s], appearance);
@@ -145,15 +141,24 @@ std::vector<SurfaceFigures> surface_figures(const Cells& cells, const CellAppear
   return figures;
 }
 
-GridStatistics grid_statistics(const std::vector<double>& illuminance_lx, const PointSet& set) {
+GridStatistics grid_statistics(const std::vector<double>& illuminance_lx,
+                               const std::vector<MeasuringPoint>& points, const PointSet& set) {
+  std::vector<double> lx;
+  for (std::size_t p = set.first; p < set.first + set.count; ++p) {
+    if (points[p].valid) lx.push_back(illuminance_lx[p]);
+  }
   GridStatistics statistics;
   statistics.n_points = set.count;
-  if (set.count == 0) return statistics;
-  const auto first = illuminance_lx.begin() + static_cast<std::ptrdiff_t>(set.first);
-  const auto last = first + static_cast<std::ptrdiff_t>(set.count);
-  statistics.min_lx = *std::min_element(first, last);
-  statistics.max_lx = *std::max_element(first, last);
-  for (auto lx = first; lx != last; ++lx) statistics.mean_lx += *lx / static_cast<double>(set.count);
+  statistics.n_left_out = set.count - lx.size();
+  if (lx.empty()) {
+    for (double GridStatistics::*figure : {&GridStatistics::min_lx, &GridStatistics::mean_lx,
+                                           &GridStatistics::max_lx, &GridStatistics::u0, &GridStatistics::ud})
+      statistics.*figure = std::numeric_limits<double>::quiet_NaN();
+    return statistics;
+  }
+  statistics.min_lx = *std::min_element(lx.begin(), lx.end());
+  statistics.max_lx = *std::max_element(lx.begin(), lx.end());
+  for (const double x : lx) statistics.mean_lx += x / static_cast<double>(lx.size());
   if (statistics.mean_lx > 0.0) statistics.u0 = statistics.min_lx / statistics.mean_lx;
   if (statistics.max_lx > 0.0) statistics.ud = statistics.min_lx / statistics.max_lx;
   return statistics;

@@ -11,6 +11,12 @@ namespace dim {
 /// Factor on each source's light. [n_sources], 1 where not asked for.
 using Mix = std::vector<double>;
 
+/// The sources of that name or group.
+/// @param option  that the name was given to, for the message
+/// @throws InputError  unknown name
+std::vector<std::size_t> sources_named(const std::string& name, const std::vector<Source>& sources,
+                                       const std::string& option);
+
 /// Mix from `NAME=FACTOR` texts; NAME is a source, a group (all its sources) or a luminaire that is a source
 /// of its own. A later text overrides an earlier one.
 /// @throws InputError  unknown name, factor not a number >= 0
@@ -42,11 +48,14 @@ struct SurfaceFigures {
 };
 std::vector<SurfaceFigures> surface_figures(const Cells& cells, const CellAppearance& appearance);
 
-/// Figures of a set of measuring points: U0 = min/mean, Ud = min/max, 0 where nothing is lit.
+/// Figures of a set of measuring points, those that are not valid left out: U0 = min/mean, Ud = min/max, 0
+/// where nothing is lit; all of them NaN where no point is left.
 struct GridStatistics {
-  std::size_t n_points = 0;
+  std::size_t n_points = 0;    ///< of the set
+  std::size_t n_left_out = 0;  ///< of them
   double min_lx = 0.0, mean_lx = 0.0, max_lx = 0.0, u0 = 0.0, ud = 0.0;
 };
-GridStatistics grid_statistics(const std::vector<double>& illuminance_lx, const PointSet& set);
+GridStatistics grid_statistics(const std::vector<double>& illuminance_lx,
+                               const std::vector<MeasuringPoint>& points, const PointSet& set);
 
 }  // namespace dim

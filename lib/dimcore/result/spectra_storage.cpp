@@ -23,16 +23,13 @@ SpectralCurve curve_from(const std::vector<double>& values, std::size_t first, s
 
 }  // namespace
 
-void store_spectra(Hdf5Writer& file, const Lights& lights, const Solution& solution) {
-  std::map<std::string, int> fitting_of;
-  for (const auto& luminaire : lights.luminaires) fitting_of.emplace(luminaire.name, luminaire.fitting);
+void store_spectra(Hdf5Writer& file, const std::vector<ShownSpectrum>& spectra) {
   std::map<Points, std::uint32_t> known;
   std::vector<std::uint32_t> of_source;
   std::vector<std::uint64_t> first{0};
   std::vector<double> values;
-  for (const auto& source : solution.sources) {
-    const auto fitting = static_cast<std::size_t>(fitting_of.at(source.luminaires.front()));
-    const Points& points = lights.fittings[fitting].spectrum.points();
+  for (const auto& spectrum : spectra) {
+    const Points& points = spectrum.curve.points();
     const auto [it, added] = known.emplace(points, static_cast<std::uint32_t>(known.size()));
     of_source.push_back(it->second);
     if (!added) continue;
@@ -47,21 +44,18 @@ void store_spectra(Hdf5Writer& file, const Lights& lights, const Solution& solut
                        "wavelength and relative spectral power");
 }
 
-std::vector<SpectralCurve> load_spectra(const Hdf5Reader& file, const std::string& path,
-                                        std::size_t n_sources) {
-  std::vector<SpectralCurve> spectra;
-  if (!file.has("/spectra/of_source")) return spectra;
-  const auto of_source = file.dataset<std::uint32_t>("/spectra/of_source", {n_sources});
+void load_spectra(const Hdf5Reader& file, const std::string& path, std::vector<ShownSpectrum>& spectra) {
+  const auto of_source = file.dataset<std::uint32_t>("/spectra/of_source", {spectra.size()});
   const auto first = file.dataset<std::uint64_t>("/spectra/first", {kAnySize});
   const auto values = file.dataset<double>("/spectra/point", {kAnySize, 2});
   if (!std::is_sorted(first.begin(), first.end()) || (!first.empty() && first.back() > values.size() / 2))
     throw IoError(path, "the source spectra in this luminance database do not hold together");
-  for (const std::uint32_t i : of_source) {
+  for (std::size_t s = 0; s < spectra.size(); ++s) {
+    const std::uint32_t i = of_source[s];
     if (i + std::size_t{1} >= first.size())
       throw IoError(path, "the source spectra in this luminance database do not hold together");
-    spectra.push_back(curve_from(values, first[i], first[i + 1], path));
+    spectra[s].curve = curve_from(values, first[i], first[i + 1], path);
   }
-  return spectra;
 }
 
 }  // namespace dim

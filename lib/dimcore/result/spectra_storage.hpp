@@ -4,18 +4,16 @@
 #include <vector>
 
 #include "base/hdf5_file.hpp"
-#include "scene/lights.hpp"
-#include "transport/simulate.hpp"
+#include "result/content.hpp"
 
 namespace dim {
 
 /// Writes the relative spectrum of every source, equal ones once: `/spectra/of_source`, `/spectra/first`,
 /// `/spectra/point` (docs/formats.md).
-void store_spectra(Hdf5Writer& file, const Lights& lights, const Solution& solution);
+void store_spectra(Hdf5Writer& file, const std::vector<ShownSpectrum>& spectra);
 
-/// The spectra of the sources in order; empty where the file, of an older program, has none.
+/// Fills the curves of the sources' spectra.
 /// @throws IoError  they do not hold together
-std::vector<SpectralCurve> load_spectra(const Hdf5Reader& file, const std::string& path,
-                                        std::size_t n_sources);
+void load_spectra(const Hdf5Reader& file, const std::string& path, std::vector<ShownSpectrum>& spectra);
 
 }  // namespace dim

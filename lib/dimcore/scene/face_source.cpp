@@ -7,15 +7,11 @@
 #include <map>
 
 #include "database/toml_reader.hpp"
+#include "scene/room_source.hpp"
+#include "scene/shape_copy.hpp"
 
 namespace dim {
 namespace {
-
-struct Shape {
-  std::string name;
-  bool box = false;
-  std::vector<FaceSource> faces;
-};
 
 // Names of shapes seen so far, each with its place, shared by surfaces, boxes and copies.
 class Names {
@@ -86,7 +82,7 @@ std::optional<Shape> read_box(const TomlTable& table) {
   common.cell = table.number("cell", kLength);
   table.refuse_unknown();
   if (!complete || !name || !finish || !corner || !size) return std::nullopt;
-  Shape shape{*name, true, box_faces(*name, *corner, *size, turn.value_or(0.0))};
+  Shape shape{*name, box_faces(*name, *corner, *size, turn.value_or(0.0))};
   for (auto& face : shape.faces) {
     face.finish = *finish;
     face.outside = common.outside;
@@ -98,24 +94,12 @@ std::optional<Shape> read_box(const TomlTable& table) {
   return shape;
 }
 
-Shape displaced(const Shape& original, const std::string& name, const Vec3& by, const Place& place) {
-  Shape copy = original;
-  copy.name = name;
-  for (auto& face : copy.faces) {
-    face.name = name + face.name.substr(original.name.size());
-    face.place = face.vertices_place = place;
-    for (auto& p : face.outline) p += by;
-    for (auto& hole : face.holes)
-      for (auto& p : hole) p += by;
-  }
-  return copy;
-}
-
 class FaceReader {
  public:
   explicit FaceReader(const TomlTable& root) : root_(root), names_(root.context().problems) {}
 
   std::vector<FaceSource> read() {
+    for (const auto& table : root_.tables("room")) add(read_room(table));
     for (const auto& table : root_.tables("surface")) add(read_surface(table));
     for (const auto& table : root_.tables("box")) add(read_box(table));
     for (const auto& table : root_.tables("copy")) read_copy(table);
@@ -134,7 +118,7 @@ class FaceReader {
                         fmt::format("'{}' is one too many: a zone has at most {} surfaces, six to a box",
                                     shape->name, kMaxSurfaces),
                         "leave out what is too small to matter for the light"});
-    names_.add(shape->name, shape->faces[0].place);
+    if (!shape->name.empty()) names_.add(shape->name, shape->faces[0].place);
     for (const auto& face : shape->faces) {
       if (face.name != shape->name) names_.add(face.name, face.place);
       if (face.two_sided) names_.add(face.name + ".back", face.place);
@@ -144,7 +128,7 @@ class FaceReader {
   }
 
   bool is_written(const std::string& name) const {
-    for (const char* key : {"surface", "box"}) {
+    for (const char* key : {"room", "surface", "box"}) {
       for (const auto& table : root_.tables(key))
         if (table.raw()["name"].value<std::string>() == name) return true;
     }
@@ -153,37 +137,28 @@ class FaceReader {
 
   void read_copy(const TomlTable& given) {
     TomlTable table = given;
-    const bool complete = int(table.require("of")) & int(table.require("names")) & int(table.require("by"));
-    const auto of = table.name("of");
-    if (of) table.relabel(fmt::format("copy of '{}'", *of));
-    const auto names = table.texts("names");
-    const auto by = table.rows("by", 3, kCoordinate);
-    table.refuse_unknown();
-    if (!complete || !of) return;
-    const auto original = index_.find(*of);
-    if (original == index_.end()) {
-      if (is_written(*of)) return;  // what is wrong with it is reported there
-      std::vector<std::string> known;
-      for (const auto& [name, i] : index_) known.push_back(name);
-      table.problem("of", "no surface or box of that name above", did_you_mean(*of, known));
-      return;
-    }
-    if (!names || !by) return;
-    if (names->size() != by->size()) {
-      table.problem("by", fmt::format("{} names but {} displacements", names->size(), by->size()),
-                    "give one [x, y, z] for each name");
-      return;
-    }
-    const Shape shape = shapes_[original->second];
-    const auto& array = *table.node("names")->as_array();
-    for (std::size_t i = 0; i < names->size(); ++i) {
-      const Place place = place_of(array[i].source(), table.context().file);
-      if ((*names)[i].empty() || (*names)[i].find_first_of("\n\r\t") != std::string::npos) {
-        table.context().problems.add(place, table.label() + ": a name must be printable text");
+    const auto plan = read_copy_plan(table);
+    if (!plan) return;
+    std::vector<std::size_t> found;
+    for (const auto& of : plan->of) {
+      const auto original = index_.find(of);
+      if (original != index_.end()) {
+        found.push_back(original->second);
         continue;
       }
-      const auto& d = (*by)[i];
-      add(displaced(shape, (*names)[i], {d[0], d[1], d[2]}, place));
+      if (is_written(of)) return;  // what is wrong with it is reported there
+      std::vector<std::string> known;
+      for (const auto& [name, i] : index_) known.push_back(name);
+      table.problem("of",
+                    plan->of_list ? fmt::format("no surface or box '{}' above", of)
+                                  : "no surface or box of that name above",
+                    did_you_mean(of, known));
+      return;
+    }
+    for (const auto& place : plan->places) {
+      std::vector<const Shape*> originals;  // looked up again: adding shapes moves them
+      for (const std::size_t i : found) originals.push_back(&shapes_[i]);
+      for (auto& copy : copied(originals, *plan, place)) add(std::move(copy));
     }
   }
 

@@ -36,9 +36,8 @@ inline constexpr int kMaxGrid = 10000;
 /// Most surfaces of a zone.
 inline constexpr std::size_t kMaxSurfaces = 100'000;
 
-/// Reads [[surface]], [[box]] and [[copy]]: all surfaces in order, then boxes, then copies. A copy displaces
-/// a surface or all six faces of a box; a copied feature stays `on` the same parent. Duplicate names, boxes
-/// of no size and copies of unknown things are reported.
+/// Reads [[room]], [[surface]], [[box]] and [[copy]], in this order. Duplicate names, boxes of no size and
+/// copies of unknown things are reported.
 /// @throws InputError  more than kMaxSurfaces
 std::vector<FaceSource> read_faces(const TomlTable& root);
 

@@ -63,9 +63,10 @@ std::vector<Finish> read_finishes(const TomlTable& root, const DatabaseSearch& s
   for (const auto& [key, value] : finishes->raw()) {
     const std::string_view name = key.str();
     std::optional<Finish> finish;
-    if (const auto* entry = value.as_string())
+    const auto* entry = value.as_string();
+    if (entry && !percentage(entry->get()))
       finish = from_entry(*finishes, name, finishes->place(name), entry->get(), search);
-    else if (value.is_number())
+    else if (value.is_number() || entry)
       finish = read_grey(*finishes, name);
     else
       finish = read_inline(*finishes, name, search);

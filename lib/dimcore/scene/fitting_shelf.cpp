@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFormatCure = "give an IES LM-63 (.ies) or EULUMDAT (.ldt) file";
+constexpr const char* kFormatCure = "give an IES LM-63 (.ies), EULUMDAT (.ldt) or TM-33 (.xml) file";
 
 }  // namespace
 
@@ -23,7 +23,7 @@ FileLoader load_from_disk() {
 
 FittingShelf::FittingShelf(std::string folder, const DatabaseSearch& search, const FileLoader& load,
                            Problems& problems, Warnings& warnings)
-    : folder_(std::move(folder)), search_(search), load_(load), problems_(problems), warnings_(warnings) {}
+    : folder_(std::move(folder)), search_(search), load_(load), spectra_(spectrum_finder(search)), problems_(problems), warnings_(warnings) {}
 
 int FittingShelf::add(const std::string& key, Fitting fitting) {
   fittings_.push_back(std::move(fitting));
@@ -66,6 +66,10 @@ std::optional<Fitting> FittingShelf::read(const std::string& name, const std::st
   if (is_photometric_name(name))
     return read_file(name, (fs::path(folder_) / name).string(), nullptr, asker, place);
   if (const auto path = search_.find_fitting(name)) return read_entry(name, *path);
+  if (const auto foreign = foreign_format(name); !foreign.what.empty()) {
+    problems_.add(place, fmt::format("{}: '{}' is {}", asker, name, foreign.what), foreign.cure);
+    return std::nullopt;
+  }
   problems_.add(place, fmt::format("{}: no fitting '{}' in {}", asker, name, search_.places("fittings")),
                 did_you_mean(name, search_.names("fittings")));
   return std::nullopt;
@@ -73,13 +77,16 @@ std::optional<Fitting> FittingShelf::read(const std::string& name, const std::st
 
 std::optional<Fitting> FittingShelf::read_entry(const std::string& name, const std::string& path) {
   try {
-    const FittingEntry entry = read_fitting_entry(load_(path), path, name);
+    const FittingEntry entry = read_fitting_entry(load_(path), path, name, spectra_);
     auto fitting = read_file(name, entry.file, &entry, fmt::format("fitting '{}'", name), entry.file_place);
     if (!fitting) return std::nullopt;
-    if (entry.spectrum) fitting->spectrum = *entry.spectrum;
-    fitting->has_spectrum = entry.spectrum.has_value();
-    fitting->spectrum_name = entry.spectrum_name;
+    if (entry.spectrum) {
+      fitting->spectrum = *entry.spectrum;
+      fitting->has_spectrum = true;
+      fitting->spectrum_name = entry.spectrum_name;
+    }
     if (entry.watts) fitting->watts = *entry.watts;
+    fitting->in_use_factor = entry.in_use_factor();
     return fitting;
   } catch (const InputError& error) {
     pass_on(error);
@@ -93,7 +100,11 @@ std::optional<Fitting> FittingShelf::read_file(const std::string& name, const st
                                                const FittingEntry* entry, const std::string& asker,
                                                const Place& place) {
   if (!is_photometric_name(path)) {
-    problems_.add(place, fmt::format("{}: '{}' is not an .ies or .ldt file", asker, path), kFormatCure);
+    const auto foreign = foreign_format(path);
+    problems_.add(place,
+                  fmt::format("{}: '{}' is {}", asker, path,
+                              foreign.what.empty() ? "not an .ies, .ldt or .xml file" : foreign.what),
+                  foreign.what.empty() ? kFormatCure : foreign.cure);
     return std::nullopt;
   }
   try {
@@ -104,8 +115,16 @@ std::optional<Fitting> FittingShelf::read_file(const std::string& name, const st
     if (entry) apply_factors(*entry, photometry);
     IntensityTable intensity(photometry.distribution);
     const double flux_lm = intensity.flux_lm();
-    return Fitting{name, std::move(intensity),         photometry.opening, flux_lm, SpectralCurve(1.0), false,
-                   "",   photometry.watts.value_or(0), photometry.tilt};
+    return Fitting{name,
+                   std::move(intensity),
+                   photometry.opening,
+                   flux_lm,
+                   photometry.spectrum.value_or(SpectralCurve(1.0)),
+                   photometry.spectrum.has_value(),
+                   "",
+                   photometry.watts.value_or(0),
+                   photometry.tilt,
+                   1.0};
   } catch (const InputError& error) {
     pass_on(error);
   } catch (const IoError& error) {

@@ -37,6 +37,9 @@ class FittingShelf {
   int with_spectrum(int fitting, const std::string& key, const SpectralCurve& spectrum,
                     const std::string& spectrum_name);
 
+  /// Finds the spectra of names, as the fittings' entries do.
+  const SpectrumFinder& spectra() const { return spectra_; }
+
   const Fitting& operator[](int i) const { return fittings_[static_cast<std::size_t>(i)]; }
   std::vector<Fitting> take() { return std::move(fittings_); }
 
@@ -51,6 +54,7 @@ class FittingShelf {
   std::string folder_;
   const DatabaseSearch& search_;
   const FileLoader& load_;
+  SpectrumFinder spectra_;
   Problems& problems_;
   Warnings& warnings_;
   std::vector<Fitting> fittings_;

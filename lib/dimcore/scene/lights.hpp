@@ -26,6 +26,7 @@ struct Fitting {
   std::string spectrum_name;     ///< where the spectrum was asked for by name
   double watts = 0.0;            ///< 0 where not known
   std::optional<LampTilt> tilt;  ///< how the lamps' output changes with the luminaire's position
+  double in_use_factor = 1.0;    ///< flux in use over flux as new, in `intensity`: the entry's factors
 };
 
 /// One luminaire in its place. Its frame is x = c0, y = c90, z = aim, as IntensityTable and LuminousOpening
@@ -40,7 +41,8 @@ struct Luminaire {
   Vec3 aim{0, 0, -1};       ///< gamma = 0
   double factor = 1.0;      ///< times the fitting's intensity: dim, lamp tilt, lumens or intensity asked for
   LuminousOpening opening;  ///< the fitting's, or what the lights file says instead
-  bool body = false;        ///< the opening also obstructs
+  bool body = false;        ///< the opening also obstructs and reflects, see scene/luminaire_body.hpp
+  double body_reflectance = 0.0;  ///< 0..1, not 1
   Place place;
 
   Vec3 to_local(const Vec3& direction) const {

@@ -11,12 +11,12 @@
 
 #include "database/fitting_entry.hpp"
 #include "database/toml_reader.hpp"
+#include "scene/luminaire_body.hpp"
+#include "scene/luminaire_field.hpp"
 #include "scene/zone_frame.hpp"
 
 namespace dim {
 namespace {
-
-constexpr int kMaxCount = 10000;
 
 struct Bounds {
   Vec3 low{std::numeric_limits<double>::max()};
@@ -67,24 +67,24 @@ class LightsReader {
     Luminaire luminaire;
     luminaire.place = table.place();
     luminaire.group = table.name("group").value_or(name.value_or(""));
-    luminaire.body = table.flag("body", false);
-    table.require("at");
-    const auto at = table.vec3("at");
+    read_body(table, luminaire);
     const bool aimed = read_aim(table, luminaire);
     const bool lit = read_source(table, luminaire);
     read_opening(table, luminaire);
-    const auto count = table.integers2("count", 1, kMaxCount);
-    const auto pitch = table.numbers("pitch", 2, kCoordinate);
-    if (table.has("count") != table.has("pitch"))
-      table.problem(table.has("count") ? "count" : "pitch",
-                    "an array of luminaires needs both count and pitch");
+    const auto places = read_field(table, luminaire, kMaxLuminaires - lights_.luminaires.size());
     table.refuse_unknown();
-    if (!name || !at || !aimed || !lit) return;
-    luminaire.name = *name;
-    if (count && pitch)
-      place_array(table, luminaire, *at, *count, *pitch);
-    else
-      place(table, std::move(luminaire), *at);
+    if (!name || !aimed || !lit) return;
+    if (luminaire.body && !has_body(luminaire))
+      warnings_.push_back({table.place("body"),
+                           fmt::format("{}: its opening has no area, so that it has no body", table.label()),
+                           "give its size: opening = [length, width]"});
+    for (const auto& one : places) {
+      Luminaire copy = luminaire;
+      copy.name = *name + one.suffix;
+      for (Vec3* axis : {&copy.c0, &copy.c90, &copy.aim})
+        if (one.turn_rad != 0.0) *axis = turned_about_vertical(*axis, one.turn_rad);
+      place(table, std::move(copy), one.at);
+    }
   }
 
   // aim, c0 and turn to the luminaire's axes.
@@ -113,7 +113,7 @@ class LightsReader {
   }
 
   bool read_source(const TomlTable& table, Luminaire& luminaire) {
-    const double dimmed = table.number_or("dim", kNotNegative, 1.0);
+    const double dimmed = read_dim(table);
     const auto name = table.name("fitting");
     const auto ideal = table.word("ideal", {"isotropic", "lambertian"});
     const auto intensity = table.number("intensity", kNotNegative);
@@ -137,11 +137,27 @@ class LightsReader {
     return true;
   }
 
+  double read_dim(const TomlTable& table) {
+    NumberRange factor = kNotNegative;
+    factor.share = true;
+    const double dim = table.number_or("dim", factor, 1.0);
+    // Nobody dims to thirty times the flux: a per cent figure.
+    constexpr double kMostLikely = 2.0;
+    if (dim > kMostLikely)
+      warnings_.push_back({table.place("dim"),
+                           fmt::format("{}: dim = {} is {} times the full flux", table.label(),
+                                       short_number(dim), short_number(dim)),
+                           fmt::format("in percent? write dim = {}, or \"{} %\"", short_number(dim / 100.0),
+                                       short_number(dim))});
+    return dim;
+  }
+
   bool set_flux(const TomlTable& table, const Fitting& fitting, bool ideal, std::optional<double> intensity,
                 std::optional<double> lumens, Luminaire& luminaire) {
     if (intensity && !ideal)
       return table.problem("intensity", "intensity belongs to an ideal source", "use lumens or dim"), false;
-    if (intensity && lumens) return table.problem("lumens", "both intensity and lumens are given"), false;
+    if (intensity && lumens)
+      return table.problem("lumens", "both intensity and lumens are given", "leave one out"), false;
     if (ideal && !table.has("intensity") && !table.has("lumens"))
       return table.problem("ideal", "an ideal source needs its intensity (cd) or lumens"), false;
     if (intensity) luminaire.factor *= *intensity;
@@ -150,14 +166,15 @@ class LightsReader {
       if (*lumens == 0.0) return true;
       return table.problem("lumens", "the fitting's own flux is zero: nothing to scale"), false;
     }
-    luminaire.factor *= *lumens / fitting.flux_lm;
+    // The lumens are those of the fitting as new: the entry's lamp and maintenance factors stay.
+    luminaire.factor *= *lumens * fitting.in_use_factor / fitting.flux_lm;
     return true;
   }
 
   void read_spectrum(const TomlTable& table, Luminaire& luminaire) {
     std::optional<SpectralCurve> spectrum;
     std::string spectrum_name;
-    read_spectrum_key(table, spectrum, spectrum_name);
+    read_spectrum_key(table, spectrum, spectrum_name, shelf_.spectra());
     if (!spectrum) return;
     const std::string key =
         spectrum_name.empty() ? fmt::format("line {}", table.place().line) : "named " + spectrum_name;
@@ -183,22 +200,21 @@ class LightsReader {
     luminaire.opening = opening;
   }
 
-  void place_array(const TomlTable& table, const Luminaire& first, const Vec3& at, std::pair<int, int> count,
-                   const std::vector<double>& pitch) {
-    const auto n = static_cast<std::size_t>(count.first) * static_cast<std::size_t>(count.second);
-    if (lights_.luminaires.size() + n > kMaxLuminaires)
-      return table.problem(
-          "count",
-          fmt::format("count = [{}, {}] makes {} luminaires; a file has at most {}", count.first,
-                      count.second, lights_.luminaires.size() + n, kMaxLuminaires),
-          "use fewer, or one luminaire of the same total flux for several");
-    for (int j = 0; j < count.second; ++j) {
-      for (int i = 0; i < count.first; ++i) {
-        Luminaire luminaire = first;
-        luminaire.name = fmt::format("{}[{},{}]", first.name, i, j);
-        place(table, std::move(luminaire), at + Vec3(i * pitch[0], j * pitch[1], 0));
-      }
+  void read_body(const TomlTable& table, Luminaire& luminaire) {
+    const auto* node = table.node("body");
+    if (!node) return;
+    if (node->is_boolean()) {
+      luminaire.body = table.flag("body", false);
+      return;
     }
+    if (!node->is_table())
+      return table.problem("body", "body must be true, false or a table",
+                           "write true for a black body, or { reflectance = 0.5 }");
+    const auto body = table.table("body", table.label() + ", body");
+    body->require("reflectance", "write body = true for a black one");
+    luminaire.body = true;
+    luminaire.body_reflectance = body->number_or("reflectance", kReflectance, 0.0);
+    body->refuse_unknown();
   }
 
   void place(const TomlTable& table, Luminaire luminaire, const Vec3& at) {
@@ -214,13 +230,14 @@ class LightsReader {
           luminaire.at[axis] <= bounds_.high[axis] + slack_m_)
         continue;
       return problems_.add(
-          table.place("at"),
+          table.place(table.has("at") ? "at" : "line"),
           fmt::format("luminaire '{}' at {} is outside the zone, which reaches from {} to {}", luminaire.name,
                       short_point(at), short_point(frame_.to_file(bounds_.low)),
                       short_point(frame_.to_file(bounds_.high))),
           "positions are in the zone file's unit");
     }
     warn_if_on_surface(table, luminaire);
+    luminaire.at = clear_of_surfaces(luminaire, zone_);
     lights_.luminaires.push_back(std::move(luminaire));
   }
 
@@ -236,7 +253,7 @@ class LightsReader {
           shelf_[luminaire.fitting].intensity.zero_behind() && glm::dot(luminaire.aim, plane.n) > kSquare;
       if (away) continue;
       warnings_.push_back(
-          {table.place("at"),
+          {table.place(table.has("at") ? "at" : "line"),
            fmt::format("luminaire '{}' lies on surface '{}': light it sends behind that is lost",
                        luminaire.name, surface.name),
            "move it a little into the zone"});

@@ -8,18 +8,14 @@
 #include "database/search.hpp"
 #include "scene/fitting_shelf.hpp"
 #include "scene/lights.hpp"
+#include "scene/luminaire_field.hpp"
 #include "scene/zone.hpp"
 
 namespace dim {
 
-/// Most luminaires of one file, arrays expanded.
-inline constexpr std::size_t kMaxLuminaires = 100'000;
-
-/// Reads a lights file (interface.md) for a zone, arrays expanded to `name[i,j]`.
-///
-/// Arrays run along the zone's x and y axes. A luminaire's group is the entry's own name where it does not
-/// say. Refused by name: a position outside the bounding box of the zone's surfaces. Warned of: a luminaire
-/// that lies on a surface and sends light into it.
+/// Reads a lights file (interface.md) for a zone, fields expanded (read_field). A luminaire's group is the
+/// entry's own name where it does not say. Refused by name: a position outside the bounding box of the zone's
+/// surfaces. Warned of: a luminaire that lies on a surface and sends light into it, a dim factor above 2.
 ///
 /// @param text       UTF-8 TOML
 /// @param file_name  for messages, and the folder that .ies paths are relative to

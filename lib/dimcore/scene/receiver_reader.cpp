@@ -96,7 +96,7 @@ void read_plane(const TomlTable& table, const ZoneFrame& frame, double cell_m, U
   const std::size_t count = zone.points.size() - first;
   if (count == 0)
     table.problem("name", "no point of its grid lies inside it", "give a finer spacing or grid");
-  zone.point_sets.push_back({plane.name, first, count});
+  zone.point_sets.push_back({plane.name, first, count, plane.place});
   zone.planes.push_back(std::move(plane));
 }
 
@@ -123,7 +123,7 @@ void read_sensors(const TomlTable& table, const ZoneFrame& frame, UniqueNames& n
     }
     zone.points.push_back({frame.to_zone({r[0], r[1], r[2]}), normal / length});
   }
-  zone.point_sets.push_back({*name, first, zone.points.size() - first});
+  zone.point_sets.push_back({*name, first, zone.points.size() - first, table.place("name")});
 }
 
 void check_view(const TomlTable& table, bool own_up, View& view) {

@@ -44,6 +44,8 @@ struct MeasuringPlane {
 struct MeasuringPoint {
   Vec3 position{0.0};
   Vec3 normal{0, 0, 1};
+  /// False where no light of the zone comes: outside it, inside something. Statistics leave the point out.
+  bool valid = true;
 };
 
 /// Frame with its origin at the point and n its normal.
@@ -61,6 +63,7 @@ struct PointSet {
   std::string name;
   std::size_t first = 0;
   std::size_t count = 0;
+  Place place{};
 };
 
 struct View {

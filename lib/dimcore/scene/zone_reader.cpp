@@ -12,6 +12,7 @@
 #include "scene/face_source.hpp"
 #include "scene/finish_reader.hpp"
 #include "scene/outline_check.hpp"
+#include "scene/placement_check.hpp"
 #include "scene/receiver_reader.hpp"
 #include "scene/surface_cut.hpp"
 #include "scene/zone_frame.hpp"
@@ -58,6 +59,7 @@ class ZoneReader {
     zone_.name = root_.text("name").value_or("");
     root_.has("dim");
     frame_.unit_m = zone_.unit_m = unit_of(root_);
+    unit_place_ = root_.has("unit") ? root_.place("unit") : Place{root_.context().file, 1, 1};
     const auto cell = root_.number("cell", kLength);
     zone_.finishes = read_finishes(root_, search_);
     const auto faces = read_faces(root_);
@@ -164,10 +166,18 @@ class ZoneReader {
         check_shell(zone_.surfaces, frame_, std::max(touch_m, 2.0 * planarity_m_), problems_, warnings_);
     zone_.volume_m3 = shell.volume_m3;
     zone_.closed = shell.closed;
+    warn_of_size(zone_, unit_place_, warnings_);
+    warn_of_placement(zone_, links_, eyes(), frame_, touch_m, warnings_);
     cut_features(zone_.surfaces, touch_m);
     refuse_overlaps(zone_.surfaces, touch_m, problems_);
     problems_.throw_if_any();
     remove_contacts(zone_.surfaces, links_, touch_m, warnings_);
+  }
+
+  std::vector<Place> eyes() const {
+    std::vector<Place> places;
+    for (const auto& view : root_.tables("view")) places.push_back(view.place("eye"));
+    return places;
   }
 
   const TomlTable& root_;
@@ -180,6 +190,7 @@ class ZoneReader {
   std::map<std::string, int> finish_index_;
   std::set<std::pair<int, int>> reported_finishes_;
   std::vector<SurfaceLink> links_;
+  Place unit_place_;
   Zone zone_;
 };
 

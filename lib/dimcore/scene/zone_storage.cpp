@@ -157,7 +157,7 @@ void read_description(const Json& json, Zone& zone, const std::vector<Polygon>& 
     zone.planes.push_back({p.at("name"), plane_polygons.at(i), p.at("nu"), p.at("nv"), {}});
   }
   for (const auto& set : json.at("point_sets"))
-    zone.point_sets.push_back({set.at("name"), set.at("first"), set.at("count")});
+    zone.point_sets.push_back({set.at("name"), set.at("first"), set.at("count"), {}});
   if (json.contains("site")) {
     const auto& s = json["site"];
     zone.site = Site{s.at("latitude_deg"), s.at("longitude_deg"), s.at("time_zone_h"), s.at("north_deg")};
@@ -253,6 +253,10 @@ void store_zone(Hdf5Writer& file, const Zone& zone) {
                                  point.normal.y, point.normal.z});
   file.dataset("/zone/points", std::span<const double>(points), {zone.points.size(), 6}, "m, 1",
                "zone-centred position and normal of the measuring points");
+  std::vector<std::uint8_t> valid;
+  for (const auto& point : zone.points) valid.push_back(point.valid);
+  file.dataset("/zone/point_valid", std::span<const std::uint8_t>(valid), {valid.size()}, "1",
+               "0: outside the zone or inside something, left out of statistics");
 }
 
 Zone load_zone(const Hdf5Reader& file, const std::string& path) {
@@ -266,9 +270,11 @@ Zone load_zone(const Hdf5Reader& file, const std::string& path) {
     zone.origin_m = {origin[0], origin[1], origin[2]};
     load_surfaces(file, zone);
     const auto points = file.dataset<double>("/zone/points", {kAnySize, 6});
+    const auto valid = file.dataset<std::uint8_t>("/zone/point_valid", {points.size() / 6});
     for (std::size_t i = 0; i < points.size(); i += 6)
-      zone.points.push_back(
-          {{points[i], points[i + 1], points[i + 2]}, {points[i + 3], points[i + 4], points[i + 5]}});
+      zone.points.push_back({{points[i], points[i + 1], points[i + 2]},
+                             {points[i + 3], points[i + 4], points[i + 5]},
+                             valid[i / 6] != 0});
     read_description(Json::parse(file.text("/zone/description")), zone, load_polygons(file, "/zone/planes/"));
   } catch (const nlohmann::json::exception&) {
     throw IoError(path, "the description of the zone in this file cannot be read");

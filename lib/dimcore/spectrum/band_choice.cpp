@@ -1,5 +1,7 @@
 #include "spectrum/band_choice.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +10,14 @@
 
 namespace dim {
 namespace {
+
+// What bands of 5 nm do not reach is not asked of fewer.
+double delta_e_asked(const BandAccuracy& accuracy, const BounceLights::Truth& truth) {
+  return std::max(accuracy.delta_e_2000, truth.finest_delta_e);
+}
+double luminance_asked(const BandAccuracy& accuracy, const BounceLights::Truth& truth) {
+  return accuracy.luminance + truth.finest_luminance;
+}
 
 // Cost of every band as a weighted sum of squared errors of the cases that matter.
 class BandCosts {
@@ -82,11 +92,11 @@ class Search {
     constexpr double kMostOverLab = 2.0;  // CIEDE2000 is less than this times the distance in CIELAB
     std::vector<std::pair<double, std::size_t>> worst;
     lights_.for_each(
-        edges, [&](std::size_t c, const BounceLights::Truth& truth, const Lab& lab, double luminance) {
-          const double delta_e = std::max(accuracy_.delta_e_2000, truth.finest_delta_e);
+        lights_.banded(edges), [&](std::size_t c, const BounceLights::Truth& truth, const Lab& lab, double luminance) {
+          const double delta_e = delta_e_asked(accuracy_, truth);
           const double distance =
               glm::length(Vec3(lab.l - truth.lab.l, lab.a - truth.lab.a, lab.b - truth.lab.b));
-          double off = luminance / (accuracy_.luminance + truth.finest_luminance);
+          double off = luminance / luminance_asked(accuracy_, truth);
           const double least = worst.size() < kFew ? 0.0 : worst.back().first;
           if (std::max(off, kMostOverLab * distance / delta_e) <= least) return;
           off = std::max(off, delta_e_2000(truth.lab, lab) / delta_e);
@@ -104,16 +114,26 @@ class Search {
   BandCosts costs_;
 };
 
-BandChoice choice_of(const BounceLights& lights, const CellEdges& edges) {
+BandChoice judged(const BounceLights& lights, const BounceLights::Banded& banded, Bands bands,
+                  const BandAccuracy& accuracy) {
   BandChoice choice;
-  choice.bands.edges_nm.clear();
-  for (const std::size_t edge : edges) choice.bands.edges_nm.push_back(cell_edge_nm(edge));
-  lights.for_each(edges,
+  choice.bands = std::move(bands);
+  lights.for_each(banded,
                   [&](std::size_t, const BounceLights::Truth& truth, const Lab& lab, double luminance) {
-                    choice.delta_e_2000 = std::max(choice.delta_e_2000, delta_e_2000(truth.lab, lab));
+                    const double delta_e = delta_e_2000(truth.lab, lab);
+                    choice.delta_e_2000 = std::max(choice.delta_e_2000, delta_e);
                     choice.luminance = std::max(choice.luminance, luminance);
+                    choice.off = std::max({choice.off, delta_e / delta_e_asked(accuracy, truth),
+                                           luminance / luminance_asked(accuracy, truth)});
                   });
   return choice;
+}
+
+Bands bands_of(const CellEdges& edges) {
+  Bands bands;
+  bands.edges_nm.clear();
+  for (const std::size_t edge : edges) bands.edges_nm.push_back(cell_edge_nm(edge));
+  return bands;
 }
 
 }  // namespace
@@ -137,7 +157,20 @@ BandChoice choose_bands(const std::vector<SpectralCurve>& spectra,
     else
       too_few = n;
   }
-  return choice_of(lights, found.edges);
+  return judged(lights, lights.banded(found.edges), bands_of(found.edges), accuracy);
+}
+
+std::string in_words(const BandChoice& choice) {
+  return fmt::format("{} waveband{}: colours within dE00 {:.2f}, luminances within {:.2f} %", choice.bands.size(),
+                     choice.bands.size() == 1 ? "" : "s", choice.delta_e_2000, 100.0 * choice.luminance);
+}
+
+BandChoice judge_bands(const std::vector<SpectralCurve>& spectra,
+                       const std::vector<SpectralCurve>& reflectances, const Bands& bands,
+                       const LatticeValues* luminous_weights, const BandAccuracy& accuracy) {
+  const BounceLights lights(spectra, reflectances);
+  return judged(lights, luminous_weights ? lights.banded(*luminous_weights) : lights.banded(bands), bands,
+                accuracy);
 }
 
 }  // namespace dim

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "spectrum/bands.hpp"
@@ -16,7 +17,15 @@ struct BandChoice {
   Bands bands;
   double delta_e_2000 = 0.0;  ///< largest over the light looked at
   double luminance = 0.0;     ///< largest, relative
+  /// The larger of the two over what was asked for, or over what 81 bands of 5 nm reach where that is worse:
+  /// up to 1 the bands are enough.
+  double off = 0.0;
+
+  bool is_enough() const { return off <= 1.0; }
 };
+
+/// "6 wavebands: colours within dE00 0.29, luminances within 0.23 %".
+std::string in_words(const BandChoice& choice);
 
 /// The fewest bands, edges halfway between the wavelengths of the tables (382.5, 387.5, ... nm), for which
 /// every light of one source after one reflection from any finish, after two from any pair of them, and after
@@ -36,5 +45,12 @@ struct BandChoice {
 /// @param reflectances  0..1
 BandChoice choose_bands(const std::vector<SpectralCurve>& spectra,
                         const std::vector<SpectralCurve>& reflectances, const BandAccuracy& accuracy = {});
+
+/// How far the same lights are off in bands that somebody chose.
+/// @param luminous_weights  of one band whose reflectances are means with these weights (luminous_weights
+///                          in bands.hpp); null where they are plain means
+BandChoice judge_bands(const std::vector<SpectralCurve>& spectra,
+                       const std::vector<SpectralCurve>& reflectances, const Bands& bands,
+                       const LatticeValues* luminous_weights = nullptr, const BandAccuracy& accuracy = {});
 
 }  // namespace dim

@@ -1,5 +1,7 @@
 #include "spectrum/bands.hpp"
 
+#include <algorithm>
+
 #include "spectrum/tables/cie_observers.hpp"
 
 namespace dim {
@@ -36,6 +38,28 @@ BandWeights band_weights(const SpectralCurve& spd, const Bands& bands) {
   for (auto& share : weights.share) share /= total;
   weights.efficacy_lm_W = kMaxEfficacy_lm_W * luminous / total;
   return weights;
+}
+
+LatticeValues luminous_weights(const std::vector<SpectralCurve>& spectra, const std::vector<double>& flux_lm) {
+  if (spectra.empty()) return luminous_weights({SpectralCurve(1.0)}, {1.0});
+  const ObserverTables& eye = cie_1931_tables();
+  const bool dark = std::all_of(flux_lm.begin(), flux_lm.end(), [](double flux) { return !(flux > 0.0); });
+  LatticeValues sum{};
+  double total = 0.0;
+  for (std::size_t s = 0; s < spectra.size(); ++s) {
+    const LatticeValues power = on_lattice(spectra[s]);
+    LatticeValues seen;
+    double whole = 0.0;
+    for (std::size_t i = 0; i < kTableSize; ++i) {
+      seen[i] = power[i] * eye.y[i] * cell_overlap_nm(i, kVisibleLow_nm, kVisibleHigh_nm);
+      whole += seen[i];
+    }
+    const double weight = dark ? 1.0 : flux_lm[s];
+    for (std::size_t i = 0; i < kTableSize; ++i) sum[i] += weight * seen[i] / whole;
+    total += weight;
+  }
+  for (double& value : sum) value /= total;
+  return sum;
 }
 
 }  // namespace dim

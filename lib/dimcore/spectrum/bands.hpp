@@ -40,4 +40,10 @@ struct BandWeights {
 /// @param spd  any scale, >= 0, positive somewhere in the visible range (callers check input)
 BandWeights band_weights(const SpectralCurve& spd, const Bands& bands);
 
+/// What the eye makes of the light of several lamps, by wavelength: V S of each, weighted by its luminous
+/// flux; sums every 5 nm, adds up to 1. Means of reflectances with these weights are luminous reflectances
+/// under that light.
+/// @param flux_lm  one for each spectrum; where none has any, all weigh alike. Without spectra: equal energy
+LatticeValues luminous_weights(const std::vector<SpectralCurve>& spectra, const std::vector<double>& flux_lm);
+
 }  // namespace dim

@@ -103,7 +103,7 @@ void BounceLights::find_truth() {
   running_.resize(truth_.size());
   CellEdges finest;
   for (std::size_t i = 0; i <= kTableSize; ++i) finest.push_back(i);
-  for_each(finest, [&](std::size_t c, const Truth& truth, const Lab& lab, double luminance) {
+  for_each(banded(finest), [&](std::size_t c, const Truth& truth, const Lab& lab, double luminance) {
     truth_[c].finest_delta_e = delta_e_2000(truth.lab, lab);
     truth_[c].finest_luminance = luminance;
   });
@@ -118,19 +118,67 @@ BounceLights::Truth BounceLights::truth_of(const Vec3& xyz, const Vec3& white) c
   return truth;
 }
 
-void BounceLights::for_each(const CellEdges& edges, const See& see) const {
-  std::vector<double> through(edges.size() - 1);
-  std::vector<Vec3> weights;  // of every source and band
+namespace {
+
+// A running sum over cells up to a wavelength, within a cell in proportion.
+template <typename Sums>
+auto up_to(const Sums& sum, double nm) {
+  std::size_t i = 0;
+  while (i + 1 < kTableSize && cell_edge_nm(i + 1) <= nm) ++i;
+  const double part = (nm - cell_edge_nm(i)) / (cell_edge_nm(i + 1) - cell_edge_nm(i));
+  return sum[i] + std::clamp(part, 0.0, 1.0) * (sum[i + 1] - sum[i]);
+}
+
+}  // namespace
+
+BounceLights::Banded BounceLights::banded(const CellEdges& edges) const {
+  Banded result{edges.size() - 1, {}, {}};
   for (const auto& source : sources_) {
-    for (std::size_t b = 0; b < through.size(); ++b)
-      weights.push_back(source.sum[edges[b + 1]] - source.sum[edges[b]]);
+    for (std::size_t b = 0; b < result.n_bands; ++b)
+      result.xyz.push_back(source.sum[edges[b + 1]] - source.sum[edges[b]]);
   }
+  for (const auto& finish : finishes_) {
+    for (std::size_t b = 0; b < result.n_bands; ++b)
+      result.reflectance.push_back(finish.mean(edges[b], edges[b + 1]));
+  }
+  return result;
+}
+
+BounceLights::Banded BounceLights::banded(const Bands& bands) const {
+  Banded result{bands.size(), {}, {}};
+  for (const auto& source : sources_) {
+    for (std::size_t b = 0; b < bands.size(); ++b)
+      result.xyz.push_back(up_to(source.sum, bands.high_nm(b)) - up_to(source.sum, bands.low_nm(b)));
+  }
+  for (const auto& finish : finishes_) {
+    for (std::size_t b = 0; b < bands.size(); ++b)
+      result.reflectance.push_back((up_to(finish.sum_nm, bands.high_nm(b)) - up_to(finish.sum_nm, bands.low_nm(b))) /
+                                   (bands.high_nm(b) - bands.low_nm(b)));
+  }
+  return result;
+}
+
+BounceLights::Banded BounceLights::banded(const LatticeValues& weights) const {
+  Banded result{1, {}, {}};
+  for (const auto& source : sources_) result.xyz.push_back(source.sum.back());
+  for (const auto& finish : finishes_) {
+    double mean = 0.0;
+    for (std::size_t i = 0; i < kTableSize; ++i) mean += weights[i] * finish.at[i];
+    result.reflectance.push_back(mean);
+  }
+  return result;
+}
+
+void BounceLights::for_each(const Banded& banded, const See& see) const {
+  const std::size_t n = banded.n_bands;
+  std::vector<double> through(n);
   std::size_t c = 0;
-  for (std::size_t l = 0; l < lights_.size(); ++l) {
-    for (std::size_t b = 0; b < through.size(); ++b) through[b] = throughput(l, edges[b], edges[b + 1]);
+  for (const auto& [path, first, second] : lights_) {
+    for (std::size_t b = 0; b < n; ++b)
+      through[b] = along(path, banded.reflectance[first * n + b], banded.reflectance[second * n + b]);
     for (std::size_t s = 0; s < sources_.size(); ++s, ++c) {
       Vec3 xyz(0.0);
-      for (std::size_t b = 0; b < through.size(); ++b) xyz += through[b] * weights[s * through.size() + b];
+      for (std::size_t b = 0; b < n; ++b) xyz += through[b] * banded.xyz[s * n + b];
       const Truth& truth = truth_[c];
       see(c, truth, lab_of(xyz, sources_[s].white), std::abs(xyz.y - truth.xyz.y) / truth.beside);
     }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "spectrum/bands.hpp"
 #include "spectrum/colour.hpp"
 #include "spectrum/lattice.hpp"
 
@@ -33,9 +34,21 @@ class BounceLights {
 
   std::size_t n_cases() const { return truth_.size(); }
 
+  /// What bands make of sources and finishes.
+  struct Banded {
+    std::size_t n_bands = 0;
+    std::vector<Vec3> xyz;            ///< [n_sources, n_bands] of a white surface
+    std::vector<double> reflectance;  ///< [n_finishes, n_bands]
+  };
+  Banded banded(const CellEdges& edges) const;
+  /// Bands of any edges.
+  Banded banded(const Bands& bands) const;
+  /// One band whose reflectances are means with these weights, which add up to 1.
+  Banded banded(const LatticeValues& weights) const;
+
   /// Calls `see(case, truth, colour, error of luminance)` with what bands make of every case.
   using See = std::function<void(std::size_t, const Truth&, const Lab&, double)>;
-  void for_each(const CellEdges& edges, const See& see) const;
+  void for_each(const Banded& banded, const See& see) const;
 
   /// Makes the running sums of a case that band_cost needs.
   void prepare(std::size_t c);

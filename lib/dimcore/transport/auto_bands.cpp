@@ -1,5 +1,6 @@
 #include "transport/auto_bands.hpp"
 
+#include <map>
 #include <set>
 
 #include "reflection/fresnel.hpp"
@@ -30,17 +31,36 @@ void add_curves(const Finish& finish, std::vector<SpectralCurve>& curves) {
   curves.push_back(curve_of(whole));
 }
 
+std::vector<SpectralCurve> reflectances(const Zone& zone) {
+  std::set<int> finishes;
+  for (const auto& surface : zone.surfaces) finishes.insert(surface.finish);
+  std::vector<SpectralCurve> curves;
+  for (const int finish : finishes) add_curves(zone.finishes[static_cast<std::size_t>(finish)], curves);
+  return curves;
+}
+
 }  // namespace
 
-BandChoice auto_bands(const Zone& zone, const Lights& lights, const BandAccuracy& accuracy) {
-  std::set<int> fittings, finishes;
-  for (const auto& luminaire : lights.luminaires) fittings.insert(luminaire.fitting);
-  for (const auto& surface : zone.surfaces) finishes.insert(surface.finish);
-  std::vector<SpectralCurve> spectra, reflectances;
-  for (const int fitting : fittings)
-    spectra.push_back(lights.fittings[static_cast<std::size_t>(fitting)].spectrum);
-  for (const int finish : finishes) add_curves(zone.finishes[static_cast<std::size_t>(finish)], reflectances);
-  return choose_bands(spectra, reflectances, accuracy);
+LampSpectra lamp_spectra(const Lights& lights) {
+  std::map<int, double> flux_lm;
+  for (const auto& luminaire : lights.luminaires)
+    flux_lm[luminaire.fitting] +=
+        luminaire.factor * lights.fittings[static_cast<std::size_t>(luminaire.fitting)].intensity.flux_lm();
+  LampSpectra lamps;
+  for (const auto& [fitting, flux] : flux_lm) {
+    lamps.spectra.push_back(lights.fittings[static_cast<std::size_t>(fitting)].spectrum);
+    lamps.flux_lm.push_back(flux);
+  }
+  return lamps;
+}
+
+BandChoice auto_bands(const Zone& zone, const LampSpectra& lamps, const BandAccuracy& accuracy) {
+  return choose_bands(lamps.spectra, reflectances(zone), accuracy);
+}
+
+BandChoice judged_bands(const Zone& zone, const LampSpectra& lamps, const Bands& bands) {
+  const LatticeValues weights = luminous_weights(lamps.spectra, lamps.flux_lm);
+  return judge_bands(lamps.spectra, reflectances(zone), bands, bands.size() == 1 ? &weights : nullptr);
 }
 
 }  // namespace dim

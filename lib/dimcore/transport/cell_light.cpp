@@ -25,13 +25,12 @@ std::uint64_t stream_of(const Emitter& emitter) {
 std::vector<PairIntegrator::Path> paths_of(const Zone& zone, const Cells& cells, const CellLight& light,
                                            int n) {
   const Receiver receiver = cell_receiver(zone, cells, light.cell);
-  const Part pair = whole_pair(cells[light.cell].low, cells[light.cell].high);
-  const LowDiscrepancy4 chance(mix(light.cell) ^ stream_of(*light.emitter));
+  const LowDiscrepancy4 chance(receiver.stream ^ stream_of(*light.emitter));
   const auto wanted = static_cast<std::uint64_t>(n);
   std::vector<PairIntegrator::Path> paths;
   double total = 0.0;
   for (std::uint64_t i = 0; i < wanted || (i < kMostTries && !(total > 0.0)); ++i) {
-    const auto path = light.integrator->path(receiver, pair, chance(i));
+    const auto path = light.integrator->path(receiver, chance(i));
     if (i >= wanted && !(path.lx > 0.0)) continue;
     paths.push_back(path);
     total += path.lx;

@@ -3,79 +3,105 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
-#include <numeric>
+#include <map>
+
+#include "network/stream_key.hpp"
 
 namespace dim {
 namespace {
 
-// Rays that probe the visibility of a pair, and how many more where they disagree. Parts of a halved pair
-// share them. They are spread over cell and opening by chance, the same chance in every run: a fixed pattern
-// would miss the same strip of every cell along the foot of a cabinet. The fewer luminaires, the more each
-// gets: of many, the errors average out.
-constexpr int kProbeRaysPerReceiver = 384;
-constexpr int kMostProbeRays = 64;
-constexpr int kLeastProbeRays = 16;
-// Pairs that bring less than this share of the mean direct illuminance get a few rays only. Their mean is as
-// unbiased as the rest's, only coarser, and there are many of them.
-constexpr double kFaint = 1e-2;
+// Neighbouring cells of a surface, up to this many along each of its axes, that share the search for what is
+// in the way.
+constexpr double kCellsPerTile = 8.0;
 
-double total_area_m2(const Zone& zone) {
-  return std::accumulate(zone.surfaces.begin(), zone.surfaces.end(), 0.0,
-                         [](double sum, const Surface& s) { return sum + s.polygon.area_m2(); });
+struct Tile {
+  std::vector<std::size_t> cells;
+  Vec2 low{0.0}, high{0.0};
+};
+
+// All cells in tiles, each within one surface.
+std::vector<Tile> make_tiles(const Zone& zone, const Cells& cells) {
+  std::vector<Tile> tiles;
+  for (std::size_t s = 0; s < zone.surfaces.size(); ++s) {
+    const CellGrid& grid = cells.grid(s);
+    const Vec2 step = zone.surfaces[s].polygon.size_m() * kCellsPerTile / Vec2(grid.nu(), grid.nv());
+    std::map<std::pair<int, int>, std::size_t> tile_at;
+    for (std::size_t i = cells.first(s); i < cells.first(s + 1); ++i) {
+      const GridCell& cell = cells[i];
+      const std::pair at(static_cast<int>(cell.centroid.y / step.y), static_cast<int>(cell.centroid.x / step.x));
+      const auto [known, is_new] = tile_at.try_emplace(at, tiles.size());
+      if (is_new) tiles.push_back({{}, cell.low, cell.high});
+      Tile& tile = tiles[known->second];
+      tile.cells.push_back(i);
+      tile.low = glm::min(tile.low, cell.low);
+      tile.high = glm::max(tile.high, cell.high);
+    }
+  }
+  return tiles;
 }
 
-double total_flux_lm(const Lights& lights) {
-  return std::accumulate(
-      lights.luminaires.begin(), lights.luminaires.end(), 0.0, [&](double sum, const Luminaire& l) {
-        return sum + l.factor * lights.fittings[static_cast<std::size_t>(l.fitting)].intensity.flux_lm();
-      });
+Receiver tile_receiver(const Zone& zone, const Cells& cells, const Tile& tile) {
+  const auto surface = cells.surface_of(tile.cells.front());
+  const Frame& frame = zone.surfaces[surface].polygon.frame();
+  Receiver region{&frame, {}, static_cast<int>(surface), 0};
+  for (const Vec2& p : {tile.low, Vec2(tile.high.x, tile.low.y), tile.high, Vec2(tile.low.x, tile.high.y)})
+    region.ring.add(frame.to_world(p));
+  return region;
 }
 
 }  // namespace
 
 Receiver cell_receiver(const Zone& zone, const Cells& cells, std::size_t cell) {
   const auto surface = cells.surface_of(cell);
-  const auto& polygon = zone.surfaces[surface].polygon;
-  return {&polygon.frame(),          &polygon,  cells[cell].whole,
-          static_cast<int>(surface), mix(cell), &cells[cell].centroid};
+  const Frame& frame = zone.surfaces[surface].polygon.frame();
+  Receiver receiver{&frame, {}, static_cast<int>(surface), cell_key(zone, cells, cell)};
+  Ring2 corners;
+  cells.outline(cell, corners);
+  for (const Vec2& p : corners) receiver.ring.add(frame.to_world(p));
+  return receiver;
 }
 
-std::vector<PairIntegrator> make_integrators(const Zone& zone, const Lights& lights,
-                                             const std::vector<Emitter>& emitters, const RayCaster& caster,
-                                             bool in_the_way) {
-  const double faint_lx = kFaint * total_flux_lm(lights) / total_area_m2(zone);
-  const int n_probe_rays = std::clamp(kProbeRaysPerReceiver / std::max(1, static_cast<int>(emitters.size())),
-                                      kLeastProbeRays, kMostProbeRays);
+std::vector<PairIntegrator> make_integrators(const Zone& zone, const std::vector<Emitter>& emitters,
+                                             const Obstructions& obstructions, bool in_the_way) {
   std::vector<PairIntegrator> integrators;
-  for (const auto& emitter : emitters)
-    integrators.emplace_back(zone, caster, emitter, faint_lx, n_probe_rays, integrators.size(), in_the_way);
+  integrators.reserve(emitters.size());
+  for (const auto& emitter : emitters) {
+    PairOptions options;
+    options.typical_lx = obstructions.typical_lx(emitter.original);
+    options.in_the_way = in_the_way;
+    integrators.emplace_back(zone, obstructions.caster(), obstructions.shadows(), emitter, options);
+  }
   return integrators;
 }
 
-void direct_light(const Zone& zone, const Cells& cells, const Lights& lights,
-                  const std::vector<Emitter>& emitters, const RayCaster& caster, const DirectSink& on_cell,
-                  const DirectSink& on_point, const Job& job, bool in_the_way) {
-  const auto integrators = make_integrators(zone, lights, emitters, caster, in_the_way);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells.size(), 8), [&](const auto& range) {
-    if (job.stopped()) return;
-    for (std::size_t i = range.begin(); i != range.end(); ++i) {
-      const Part pair = whole_pair(cells[i].low, cells[i].high);
-      const Receiver receiver = cell_receiver(zone, cells, i);
-      for (std::size_t e = 0; e < emitters.size(); ++e)
-        on_cell(i, e, emitters[e].luminaire.factor * integrators[e].mean(receiver, pair));
+void direct_light(const Zone& zone, const Cells& cells, const std::vector<Emitter>& emitters,
+                  const std::vector<PairIntegrator>& integrators, const DirectSink& on_cell,
+                  const DirectSink& on_point, const Job& job) {
+  const auto scaled = [&](DirectEstimate direct, std::size_t e) {
+    const double factor = emitters[e].luminaire.factor;
+    return DirectEstimate{factor * direct.lx, factor * factor * direct.variance_lx2};
+  };
+  const auto tiles = make_tiles(zone, cells);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tiles.size(), 1), [&](const auto& range) {
+    for (std::size_t t = range.begin(); t != range.end(); ++t) {
+      const Receiver region = tile_receiver(zone, cells, tiles[t]);
+      std::vector<PlatesBetween> between(emitters.size(), PlatesBetween{region});
+      for (const std::size_t i : tiles[t].cells) {
+        if (job.stopped()) return;
+        const Receiver receiver = cell_receiver(zone, cells, i);
+        for (std::size_t e = 0; e < emitters.size(); ++e)
+          on_cell(i, e, scaled(integrators[e].mean(receiver, between[e]), e));
+      }
     }
   });
   job.check();
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, zone.points.size(), 8), [&](const auto& range) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, zone.points.size(), 4), [&](const auto& range) {
     if (job.stopped()) return;
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       const Frame frame = frame_at(zone.points[i]);
-      const Receiver receiver{&frame, nullptr, true, -1, mix(~i), nullptr};
+      const Receiver receiver = point_receiver(frame, -1, point_key(zone, i));
       for (std::size_t e = 0; e < emitters.size(); ++e)
-        on_point(
-            i, e,
-            emitters[e].luminaire.factor * integrators[e].mean(receiver, whole_pair(Vec2(0.0), Vec2(0.0))));
+        on_point(i, e, scaled(integrators[e].mean(receiver), e));
     }
   });
   job.check();
@@ -88,10 +114,13 @@ DirectLight direct_light(const Zone& zone, const Cells& cells, const Lights& lig
   result.cell_lx.assign(cells.size() * n_sources, 0.0);
   result.point_lx.assign(zone.points.size() * n_sources, 0.0);
   const auto add_to = [&](std::vector<double>& sums) {
-    return [&](std::size_t i, std::size_t e, double lx) { sums[i * n_sources + source_of[e]] += lx; };
+    return [&](std::size_t i, std::size_t e, const DirectEstimate& direct) {
+      sums[i * n_sources + source_of[e]] += direct.lx;
+    };
   };
-  direct_light(zone, cells, lights, own_emitters(lights), obstructions.caster(),
-               add_to(result.cell_lx), add_to(result.point_lx), job);
+  const auto emitters = own_emitters(lights);
+  direct_light(zone, cells, emitters, make_integrators(zone, emitters, obstructions), add_to(result.cell_lx),
+               add_to(result.point_lx), job);
   return result;
 }
 

@@ -13,13 +13,26 @@
 
 namespace dim {
 
+/// What stands between lights and receivers: the zone's surfaces, then the bodies of luminaires that have one.
+/// `simulate` needs no such bodies: it puts them into the zone (`add_bodies`).
+class Obstructions {
+ public:
+  Obstructions(const Zone& zone, const Lights& lights);
+  const RayCaster& caster() const { return caster_; }
+  const ShadowPlates& shadows() const { return shadows_; }
+  const std::vector<Surface>& bodies() const { return bodies_; }
+  /// See `typical_illuminance_lx`.
+  double typical_lx(std::size_t luminaire) const { return typical_lx_[luminaire]; }
+
+ private:
+  std::vector<Surface> bodies_;
+  RayCaster caster_;
+  ShadowPlates shadows_;
+  std::vector<double> typical_lx_;
+};
+
 /// Direct illuminance of every cell (area average) and measuring point from every source (a sum of
-/// luminaires), visibility included.
-///
-/// Integrates I(direction) cos(theta) / r^2 over cell x luminous opening (equation 8 of the paper for each
-/// pair of points). Without obstruction by Gauss points, two an axis, the pair halved along its longest side
-/// wherever it is large against its distance; the visible share by low-discrepancy rays over cell and
-/// opening, more of them where they disagree (a shadow edge). The same bits on any number of threads.
+/// luminaires), visibility included; see `PairIntegrator`. The same bits on any number of threads.
 struct DirectLight {
   std::vector<double> cell_lx;   ///< [n_cells, n_sources]
   std::vector<double> point_lx;  ///< [n_points, n_sources]
@@ -30,26 +43,25 @@ struct DirectLight {
 DirectLight direct_light(const Zone& zone, const Cells& cells, const Lights& lights,
                          const std::vector<std::size_t>& source_of, std::size_t n_sources, const Job& job);
 
-/// Takes the direct illuminance of a cell or point from an emitter; for one cell or point never from two
-/// threads at once, emitters in order.
-using DirectSink = std::function<void(std::size_t receiver, std::size_t emitter, double lx)>;
+/// Takes the direct illuminance of a cell or point from an emitter, the luminaire's factor included; for one
+/// cell or point never from two threads at once, emitters in order.
+using DirectSink = std::function<void(std::size_t receiver, std::size_t emitter, const DirectEstimate& direct)>;
 
 /// The same emitter by emitter, images in mirrors included (as if the mirrors reflected everything).
-/// @param caster      of `Obstructions`
-/// @param in_the_way  false where no surface can be (see `is_convex_and_empty`): visibility is then not
-/// tested
+/// @param integrators  of `make_integrators`
 /// @throws Interrupted
-void direct_light(const Zone& zone, const Cells& cells, const Lights& lights,
-                  const std::vector<Emitter>& emitters, const RayCaster& caster, const DirectSink& on_cell,
-                  const DirectSink& on_point, const Job& job, bool in_the_way = true);
+void direct_light(const Zone& zone, const Cells& cells, const std::vector<Emitter>& emitters,
+                  const std::vector<PairIntegrator>& integrators, const DirectSink& on_cell,
+                  const DirectSink& on_point, const Job& job);
 
-/// The cell as a receiver of direct light. The result points into `zone` and `cells`.
+/// The cell as a receiver of direct light. The result points into `zone`.
 Receiver cell_receiver(const Zone& zone, const Cells& cells, std::size_t cell);
 
-/// One integrator an emitter; they point into `emitters`.
-std::vector<PairIntegrator> make_integrators(const Zone& zone, const Lights& lights,
-                                             const std::vector<Emitter>& emitters, const RayCaster& caster,
-                                             bool in_the_way = true);
+/// One integrator an emitter; they point into `zone`, `emitters` and `obstructions`.
+/// @param in_the_way  false where no surface can be (see `is_convex_and_empty`): visibility is then not
+/// tested
+std::vector<PairIntegrator> make_integrators(const Zone& zone, const std::vector<Emitter>& emitters,
+                                             const Obstructions& obstructions, bool in_the_way = true);
 
 /// What becomes of a luminaire's light on its first flight, as shares of its flux.
 struct FirstFlight {
@@ -59,19 +71,11 @@ struct FirstFlight {
   double flux_lm = 0.0;   ///< of the sampled distribution, times the luminaire's factor
 };
 
-/// Sends `n_rays` low-discrepancy rays from every luminaire's opening over the whole sphere, weighted by
-/// intensity. Shares no code with `direct_light` but the ray caster, so that the two check each other.
+/// What illuminance the luminaire brings, its factor left out, where its light falls: the geometric mean over
+/// its flux of I/r^2. 0 where none falls on anything.
+double typical_illuminance_lx(const RayCaster& caster, const Luminaire& luminaire, const Fitting& fitting);
+
+/// Sends `n_rays` low-discrepancy rays from every luminaire's opening, drawn from its intensity table. Shares no code with `direct_light` but the ray caster, so that the two check each other.
 std::vector<FirstFlight> first_flights(const Zone& zone, const Lights& lights, int n_rays, const Job& job);
-
-/// The zone's surfaces, then the bodies of luminaires that have one, as plates for a ray caster.
-class Obstructions {
- public:
-  Obstructions(const Zone& zone, const Lights& lights);
-  const RayCaster& caster() const { return caster_; }
-
- private:
-  std::vector<Polygon> bodies_;
-  RayCaster caster_;
-};
 
 }  // namespace dim

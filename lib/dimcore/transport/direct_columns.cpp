@@ -4,10 +4,10 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <span>
 
 #include "transport/cell_light.hpp"
 #include "transport/direct_lobes.hpp"
@@ -34,7 +34,7 @@ struct Order {
 class Builder {
  public:
   Builder(const Zone& zone, const Cells& cells, const Network& network, const Lights& lights,
-          const ReflectanceClasses& classes, const Shine& shine, const RayCaster& caster,
+          const ReflectanceClasses& classes, const Shine& shine, const Obstructions& obstructions,
           const std::vector<std::size_t>& source_of, std::size_t n_sources, const MirrorOptions& options,
           bool in_the_way)
       : zone_(zone),
@@ -43,12 +43,12 @@ class Builder {
         lights_(lights),
         classes_(classes),
         shine_(shine),
-        caster_(caster),
+        obstructions_(obstructions),
         source_of_(source_of),
         n_sources_(n_sources),
         options_(options),
         in_the_way_(in_the_way),
-        mirrored_(zone, cells, classes, shine, caster, source_of, n_sources, in_the_way),
+        mirrored_(zone, cells, classes, shine, obstructions.caster(), source_of, n_sources, in_the_way),
         on_lobes_(shine.n_off_specular()),
         on_mirrors_(shine.has_mirrors() ? cells.size() : 0) {
     result_.n_columns = shine.has_mirrors() ? n_all() : n_sources;
@@ -94,7 +94,7 @@ class Builder {
     orders_.push_back(std::make_unique<Order>());
     Order& order = *orders_.back();
     order.emitters = std::move(emitters);
-    order.integrators = make_integrators(zone_, lights_, order.emitters, caster_, in_the_way_);
+    order.integrators = make_integrators(zone_, order.emitters, obstructions_, in_the_way_);
     return order;
   }
 
@@ -112,15 +112,15 @@ class Builder {
     const Order& own = new_order(own_emitters(lights_, in_the_way_));
     own_point_lx_.assign(zone_.points.size() * n_luminaires(), 0.0);
     direct_light(
-        zone_, cells_, lights_, own.emitters, caster_,
-        [&](std::size_t i, std::size_t e, double lx) {
-          on_cell({i, &own.emitters[e], &own.integrators[e], lx});
+        zone_, cells_, own.emitters, own.integrators,
+        [&](std::size_t i, std::size_t e, const DirectEstimate& direct) {
+          on_cell({i, &own.emitters[e], &own.integrators[e], direct.lx});
         },
-        [&](std::size_t p, std::size_t e, double lx) {
-          own_point_lx_[p * n_luminaires() + e] = lx;
-          add(&result_.point[p * result_.n_columns], own.emitters[e], zone_.points[p].position, lx);
+        [&](std::size_t p, std::size_t e, const DirectEstimate& direct) {
+          own_point_lx_[p * n_luminaires() + e] = direct.lx;
+          add(&result_.point[p * result_.n_columns], own.emitters[e], zone_.points[p].position, direct.lx);
         },
-        job, in_the_way_);
+        job);
   }
 
   void add_images(const Job& job) {
@@ -192,15 +192,12 @@ class Builder {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells_.size(), 8), [&](const auto& range) {
       for (std::size_t i = range.begin(); i != range.end() && !job.stopped(); ++i) {
         const Receiver receiver = cell_receiver(zone_, cells_, i);
-        const Vec2 low = cells_[i].low, high = cells_[i].high;
-        const Frame& frame = *receiver.frame;
-        const std::array corners{frame.to_world(low), frame.to_world({high.x, low.y}), frame.to_world(high),
-                                 frame.to_world({low.x, high.y})};
+        const std::span corners(receiver.ring.begin(), receiver.ring.end());
         for (std::size_t e = 0; e < order.emitters.size(); ++e) {
           const auto& emitter = order.emitters[e];
           if (emitter.beam.misses(corners, tolerance_m)) continue;
           on_cell({i, &emitter, &order.integrators[e],
-                   emitter.luminaire.factor * order.integrators[e].mean(receiver, whole_pair(low, high))});
+                   emitter.luminaire.factor * order.integrators[e].mean(receiver).lx});
         }
       }
     });
@@ -226,7 +223,7 @@ class Builder {
     }
     if (zone_.points.empty()) return;
     const auto images =
-        point_images(zone_, lights_, classes_, shine_.mirrors(), caster_, source_of_, n_sources_,
+        point_images(zone_, lights_, classes_, shine_.mirrors(), obstructions_, source_of_, n_sources_,
                      own_point_lx_, in_the_way_, {options_.tolerance, options_.depth}, job);
     result_.n_images = std::max(result_.n_images, images.n);
     const auto mean_lx = column_means();
@@ -262,7 +259,7 @@ class Builder {
   const Lights& lights_;
   const ReflectanceClasses& classes_;
   const Shine& shine_;
-  const RayCaster& caster_;
+  const Obstructions& obstructions_;
   const std::vector<std::size_t>& source_of_;
   std::size_t n_sources_;
   MirrorOptions options_;
@@ -277,19 +274,21 @@ class Builder {
 
 }  // namespace
 
-void DirectColumns::add_followed() {
+bool DirectColumns::add_followed() {
+  if (followed.empty() && followed_psi.empty()) return false;
   for (std::size_t i = 0; i < followed.size(); ++i) cell[i] += followed[i];
   for (std::size_t i = 0; i < followed_psi.size(); ++i) shine.psi[i] += followed_psi[i];
   followed.clear();
   followed_psi.clear();
+  return true;
 }
 
 DirectColumns direct_columns(const Zone& zone, const Cells& cells, const Network& network,
                              const Lights& lights, const ReflectanceClasses& classes, const Shine& shine,
-                             const RayCaster& caster, const std::vector<std::size_t>& source_of,
+                             const Obstructions& obstructions, const std::vector<std::size_t>& source_of,
                              std::size_t n_sources, const MirrorOptions& mirrors, bool in_the_way,
                              const Job& job) {
-  return Builder(zone, cells, network, lights, classes, shine, caster, source_of, n_sources, mirrors,
+  return Builder(zone, cells, network, lights, classes, shine, obstructions, source_of, n_sources, mirrors,
                  in_the_way)
       .build(job);
 }

@@ -33,8 +33,8 @@ struct DirectColumns {
   /// the cells' mean; the largest of all points
   std::vector<double> uncertain;
 
-  /// Lets what rays carried on count as direct light.
-  void add_followed();
+  /// Lets what rays carried on count as direct light. @returns whether there was any
+  bool add_followed();
 };
 
 /// Every luminaire is imaged in mirrors, order by order. On cells the images of an order are the last when
@@ -45,7 +45,7 @@ struct DirectColumns {
 /// @param in_the_way    see `direct_light`
 DirectColumns direct_columns(const Zone& zone, const Cells& cells, const Network& network,
                              const Lights& lights, const ReflectanceClasses& classes, const Shine& shine,
-                             const RayCaster& caster, const std::vector<std::size_t>& source_of,
+                             const Obstructions& obstructions, const std::vector<std::size_t>& source_of,
                              std::size_t n_sources, const MirrorOptions& mirrors, bool in_the_way,
                              const Job& job);
 

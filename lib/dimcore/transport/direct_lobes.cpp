@@ -167,8 +167,8 @@ void DirectLobes::see(const Ray& ray, const CellLight& light, std::uint64_t stre
   frame.origin = ray.from - frame.height(ray.from) / glm::dot(ray.direction, frame.n) * ray.direction;
   Vec3 out = -frame.direction_to_local(ray.direction);
   out.z = std::max(out.z, 1e-9);
-  const Receiver receiver{&frame, nullptr, true, static_cast<int>(s), 0, nullptr};
-  const auto path = light.integrator->path(receiver, whole_pair(Vec2(0.0), Vec2(0.0)),
+  const Receiver receiver = point_receiver(frame, static_cast<int>(s), 0);
+  const auto path = light.integrator->path(receiver,
                                            LowDiscrepancy4(stream_of(*light.emitter))(stream));
   if (!(path.lx > 0.0)) return;
   const Vec3 in = frame.direction_to_local(path.towards);

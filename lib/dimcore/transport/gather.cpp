@@ -209,8 +209,7 @@ class Block {
 
   void copy_cells(std::size_t c) {
     const auto column = result_.cell.column(first_ + c);
-    for (std::size_t i = 0; i < cells_.size(); ++i)
-      column[i] = static_cast<Real>(irradiance_[i * width_ + c]);
+    for (std::size_t i = 0; i < cells_.size(); ++i) column[i] = static_cast<Real>(irradiance_[i * width_ + c]);
   }
 
   void copy_points(std::size_t c, const std::vector<double>& arriving) {
@@ -285,16 +284,16 @@ Columns<Real> gather_points(const Network& network, const Cells& cells, const Co
                             const Reflectances& reflectances, const GatherShine* shine) {
   Columns<Real> point(network.point_sinks.n_rows(), cell.n_columns());
   if (point.n_rows() == 0) return point;
-  for (std::size_t first = 0; first < cell.n_columns(); first += kMaxColumns) {
-    const std::size_t n = std::min(kMaxColumns, cell.n_columns() - first);
+  const std::size_t block_columns = psi.empty() ? kMaxColumns : kColumnsPerLane;
+  for (std::size_t first = 0; first < cell.n_columns(); first += block_columns) {
+    const std::size_t n = std::min(block_columns, cell.n_columns() - first);
     Propagation propagation(network, cells, reflectances, first, n, shine);
     if (propagation.shine()) propagation.shine()->set_psi(psi);
     const std::size_t width = propagation.width();
     std::vector<double> irradiance(cells.size() * width, 0.0);
     for (std::size_t c = 0; c < n; ++c) {
       const auto column = cell.column(first + c);
-      for (std::size_t i = 0; i < cells.size(); ++i)
-        irradiance[i * width + c] = static_cast<double>(column[i]);
+      for (std::size_t i = 0; i < cells.size(); ++i) irradiance[i * width + c] = static_cast<double>(column[i]);
     }
     const auto arriving = propagation.to_points(irradiance);
     for (std::size_t c = 0; c < n; ++c) {
@@ -307,10 +306,10 @@ Columns<Real> gather_points(const Network& network, const Cells& cells, const Co
   return point;
 }
 
-#define DIM_INSTANTIATE(Real)                                                                                \
-  template Gathered<Real> gather(const Network&, const Cells&, const Columns<Real>&, const Columns<Real>&,   \
+#define DIM_INSTANTIATE(Real)                                                                             \
+  template Gathered<Real> gather(const Network&, const Cells&, const Columns<Real>&, const Columns<Real>&, \
                                  const Reflectances&, const GatherOptions&, const Job&, const GatherShine*); \
-  template Columns<Real> gather_points(const Network&, const Cells&, const Columns<Real>&,                   \
+  template Columns<Real> gather_points(const Network&, const Cells&, const Columns<Real>&,                 \
                                        const std::vector<float>&, const Columns<Real>&, const Reflectances&, \
                                        const GatherShine*);
 DIM_INSTANTIATE(float)

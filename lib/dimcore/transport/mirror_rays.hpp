@@ -58,7 +58,7 @@ class MirrorRays {
       const auto plate = static_cast<std::size_t>(hit.plate);
       if (hit.plate < 0 || hit.back || plate >= zone_.surfaces.size() || zone_.surfaces[plate].outside)
         return End::escaped;
-      on_landing(cells_.first(plate) + static_cast<std::size_t>(cells_.grid(plate).cell_at(hit.local)),
+      on_landing(cells_.cell_hit(plate, hit.local, direction),
                  direction);
       if (of_surface_[plate] != Shininess::mirror) return End::landed;
       at += hit.t * direction;

@@ -20,8 +20,16 @@ Shininess shininess(const Finish& finish, std::size_t index, const ReflectanceCl
 
 }  // namespace
 
-ReflectanceClasses classify(const Zone& zone, const Bands& bands, bool apart) {
+ReflectanceClasses classify(const Zone& zone, const Bands& bands, bool apart, const LatticeValues* luminous) {
   ReflectanceClasses classes;
+  if (luminous && bands.size() == 1) {
+    classes = classify(zone, bands, apart, nullptr);
+    std::vector<BandReflection> seen;
+    for (const auto& finish : zone.finishes) seen.push_back(weighted_reflection(finish, *luminous));
+    classes.luminous = seen != classes.of_finish.front();
+    classes.of_finish.front() = std::move(seen);
+    return classes;
+  }
   for (std::size_t b = 0; b < bands.size(); ++b) {
     std::vector<BandReflection> finishes;
     for (const auto& finish : zone.finishes)

@@ -20,13 +20,18 @@ enum class Shininess {
 struct ReflectanceClasses {
   std::vector<std::size_t> of_band;                    ///< [n_bands]
   std::vector<std::vector<BandReflection>> of_finish;  ///< [n_classes][n_finishes]
+  /// Means over the band are weighted with what the eye makes of the lamps' light, and so hold for these
+  /// lamps only; else they are plain.
+  bool luminous = false;
   std::size_t size() const { return of_finish.size(); }
   const BandReflection& at(std::size_t klass, int finish) const {
     return of_finish[klass][static_cast<std::size_t>(finish)];
   }
 };
-/// @param apart  every band a class of its own, alike or not
-ReflectanceClasses classify(const Zone& zone, const Bands& bands, bool apart = false);
+/// @param apart     every band a class of its own, alike or not
+/// @param luminous  weights of a single band's means (luminous_weights); null for plain means
+ReflectanceClasses classify(const Zone& zone, const Bands& bands, bool apart = false,
+                            const LatticeValues* luminous = nullptr);
 
 /// Most patches of a lobe grid.
 inline constexpr std::size_t kMostLobePatches = 1280;

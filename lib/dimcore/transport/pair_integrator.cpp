@@ -3,251 +3,267 @@
 #include <algorithm>
 #include <cmath>
 
+#include "network/stream_key.hpp"
+#include "transport/pair_parts.hpp"
 #include "transport/spherical_rectangle.hpp"
 
 namespace dim {
 namespace {
 
-// Size of a pair (diagonals of cell part and opening part) over its distance, above which it is halved: with
-// two Gauss points an axis the error of 1/r^2 then stays below 1e-3.
+// Size of a pair (diameters of cell part and opening part) over its distance, above which it is halved: with
+// two Gauss points an axis the error of 1/r^2 then stays below 1e-3. Points get twice the care.
 constexpr double kNear = 0.6;
-constexpr int kMaxNearHalvings = 48;
-// Between a cell and an opening with an extent, halving never ends where they touch: after this often, parts
-// that are still near are sampled by solid angle instead, with this many rays each.
-constexpr int kMaxPairHalvings = 10;
-constexpr int kCloseRays = 32;
-constexpr int kMaxHorizonHalvings = 4;
-constexpr int kShadowRaysPerProbeRay = 4;
-constexpr int kMinProbeRays = 4;
-constexpr int kFaintRays = 2;
+constexpr double kNearPoint = 0.3;
+constexpr int kMostHalvings = 48;
+// Where cell and opening touch, halving would never end: parts of the cell this small a share of it are left to
+// Lambert's edge sum.
+constexpr double kSmallestShare = 1.0 / 4096.0;
+// A Lambertian opening needs the cell's parts small only, its own light is exact.
+constexpr double kNearLambertian = 0.5;
+// Against the beam's light, what counts as dark: no care is taken of its shape there.
+constexpr double kSpill = 1e-3;
+// With fewer lines than this, rays cost less.
+constexpr int kFewLines = 4;
+// Seen at grazing angles from a cell that faces it, an opening's projected area vanishes.
+constexpr double kLeastRatio = 0.02;
 
 }  // namespace
 
-PairIntegrator::PairIntegrator(const Zone& zone, const RayCaster& caster, const Emitter& emitter,
-                               double faint_lx, int n_probe_rays, std::uint64_t stream, bool in_the_way)
+Receiver point_receiver(const Frame& frame, int skip, std::uint64_t stream) {
+  Receiver receiver{&frame, {}, skip, stream};
+  receiver.ring.add(frame.origin);
+  return receiver;
+}
+
+PairIntegrator::PairIntegrator(const Zone& zone, const RayCaster& caster, const ShadowPlates& plates,
+                               const Emitter& emitter, const PairOptions& options)
     : zone_(zone),
       caster_(caster),
+      plates_(plates),
       emitter_(emitter),
       luminaire_(emitter.luminaire),
       fitting_(*emitter.fitting),
-      n_probe_rays_(n_probe_rays),
-      test_visibility_(in_the_way || !emitter.mirrors.empty()),
-      stream_(mix(stream)),
-      near_(kNear) {
-  faint_ = luminaire_.factor > 0.0 ? faint_lx / luminaire_.factor : 0.0;
+      options_(options),
+      test_visibility_(options.in_the_way || !emitter.mirrors.empty()),
+      stream_(mix(place_key(emitter.luminaire.at, emitter.luminaire.aim, zone.diameter_m))),
+      opening_(opening_region(emitter.luminaire)),
+      beam_(kNear) {
   // A beam must not fall between the points: parts are to be small against its width, too.
-  const auto& beam = fitting_.intensity;
-  if (beam.max_cd() > 0.0)
-    near_ = std::clamp(0.6 * std::sqrt(beam.flux_lm() / (kPi * beam.max_cd())), 0.05, kNear);
-  if (largest_dimension_m(luminaire_.opening) > 0.0)
-    opening_m_ = {luminaire_.opening.length_m, luminaire_.opening.width_m};
+  const auto& light = fitting_.intensity;
+  if (light.max_cd() > 0.0) beam_ = std::min(kNear, 0.6 * std::sqrt(light.flux_lm() / (kPi * light.max_cd())));
 }
 
-double PairIntegrator::mean(const Receiver& receiver, const Part& pair) const {
-  if (hidden_by_orientation(receiver, pair)) return 0.0;
-  Chance chance{LowDiscrepancy4(receiver.stream ^ stream_)};
-  const Sum sum =
-      is_faint(receiver, pair) ? faint(receiver, pair, chance) : integrate(receiver, pair, 0, 0, chance);
-  return sum.weight > 0.0 ? sum.value / sum.weight : of_sliver(receiver, pair, chance);
+PairIntegrator::Side PairIntegrator::side(const ConvexRing& ring, double share) {
+  const Vec3 middle = ring.middle();
+  return {ring, share, middle, ring.radius_m(middle)};
 }
 
-PairIntegrator::Path PairIntegrator::path(const Receiver& receiver, const Part& pair,
-                                          const std::array<double, 4>& x) const {
-  Path path;
-  const Vec3 q = on_opening(pair[2].at(x[2]), pair[3].at(x[3]));
-  if (receiver.polygon == nullptr) {
-    path.at = receiver.frame->origin;
-    path.towards = glm::normalize(q - path.at);
-    const double lx = unshadowed(receiver, path.at, q);
-    if (lx > 0.0 && !blocked(path.at, q, receiver.skip)) path.lx = lx;
-    return path;
+std::array<PairIntegrator::Side, 2> PairIntegrator::halves(const Side& whole) {
+  const auto rings = whole.ring.halves();
+  const double measure = whole.ring.measure();
+  std::array<Side, 2> parts;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (rings[i].empty())
+      parts[i].share = 0.0;
+    else
+      parts[i] = side(rings[i], measure > 0.0 ? whole.share * rings[i].measure() / measure : whole.share / 2.0);
   }
-  if (receiver.frame->height(q) <= caster_.tolerance_m()) return path;
-  // Evenly over the solid angle that the cell fills: what is near is not missed.
-  const Vec2 low(pair[0].low, pair[1].low), high(pair[0].high, pair[1].high);
-  const SphericalRectangle seen(*receiver.frame, low, high, q);
-  if (!(seen.solid_angle_sr() > 0.0)) return path;
-  const Vec2 local = seen.sample(x[0], x[1]);
-  path.at = receiver.frame->to_world(local);
-  path.towards = glm::normalize(q - path.at);
-  if (!receiver.whole && !receiver.polygon->contains(local)) return path;
-  const double cd = fitting_.intensity.at(luminaire_.to_local(path.at - q));
-  if (cd > 0.0 && !blocked(path.at, q, receiver.skip))
-    path.lx = cd * seen.solid_angle_sr() / (pair[0].length() * pair[1].length());
-  return path;
+  return parts;
 }
 
-bool PairIntegrator::blocked(const Vec3& receiver, const Vec3& on_opening, int skip) const {
-  if (!test_visibility_) return false;
-  return emitter_.mirrors.empty() ? caster_.blocked(receiver, on_opening, skip)
-                                  : path_blocked(zone_, caster_, emitter_, receiver, on_opening, skip);
-}
-
-Vec3 PairIntegrator::on_opening(double s, double t) const {
-  return luminaire_.at + luminaire_.to_world(sample(luminaire_.opening, {s, t}));
-}
-
-// Of a cell that none of the rays found: light at a point of it stands for all.
-double PairIntegrator::of_sliver(const Receiver& receiver, const Part& pair, Chance& chance) const {
-  const Vec2& at = *receiver.centroid;
-  Receiver point = receiver;
-  point.polygon = nullptr;
-  point.whole = true;
-  return integrate(point, {Interval{at.x, at.x}, Interval{at.y, at.y}, pair[2], pair[3]}, 0, 0, chance).value;
-}
-
-// Whether the receiver lies wholly behind the opening (where that emits forwards only) or the opening wholly
-// behind the receiver.
-bool PairIntegrator::hidden_by_orientation(const Receiver& receiver, const Part& pair) const {
-  const double reach_m = largest_dimension_m(luminaire_.opening);
-  if (receiver.frame->height(luminaire_.at) <= -reach_m) return true;
-  if (!fitting_.intensity.zero_behind() || luminaire_.opening.shape == OpeningShape::kVerticalEllipse)
-    return false;
-  for (const double x : {pair[0].low, pair[0].high}) {
-    for (const double y : {pair[1].low, pair[1].high}) {
-      if (glm::dot(receiver.frame->to_world({x, y}) - luminaire_.at, luminaire_.aim) > 0.0) return false;
-    }
+// The part of the cell before the opening (where that emits forwards only) and of the opening before the cell.
+bool PairIntegrator::clip(const Receiver& receiver, Side& cell, Side& opening) const {
+  const Frame& frame = *receiver.frame;
+  const ConvexRing above = opening_.ring.front_of(frame.n, glm::dot(frame.n, receiver.ring[0]));
+  if (above.empty()) return false;
+  double highest_m = 0.0;
+  for (const Vec3& corner : above) highest_m = std::max(highest_m, glm::dot(frame.n, corner - receiver.ring[0]));
+  if (!(highest_m > caster_.tolerance_m())) return false;
+  opening = side(above, above.measure() / opening_.measure);
+  if (!(opening.share > 0.0)) return false;
+  if (!fitting_.intensity.zero_behind() || luminaire_.opening.shape == OpeningShape::kVerticalEllipse) {
+    cell = side(receiver.ring, 1.0);
+    return true;
   }
-  return true;
+  const ConvexRing before = receiver.ring.front_of(luminaire_.aim, glm::dot(luminaire_.aim, luminaire_.at));
+  if (before.empty()) return false;
+  const double whole = receiver.ring.measure();
+  cell = side(before, whole > 0.0 ? before.measure() / whole : 1.0);
+  return cell.share > 0.0;
 }
 
-// Illuminance at p from the whole opening, were it all at q, before visibility.
-double PairIntegrator::unshadowed(const Receiver& receiver, const Vec3& p, const Vec3& q) const {
+DirectEstimate PairIntegrator::mean(const Receiver& receiver, PlatesBetween& between) const {
+  Side cell, opening;
+  if (!clip(receiver, cell, opening)) return {};
+  const Pair pair{cell, opening, receiver.frame->n};
+  const double free_lx = free(pair, 0);
+  if (!(free_lx > 0.0) || !test_visibility_) return {free_lx, 0.0};
+  Chance chance(receiver.stream ^ stream_);
+  const double importance =
+      options_.typical_lx > 0.0 && !receiver.is_point() ? std::min(1.0, free_lx / options_.typical_lx) : 1.0;
+  const double lines = std::max(2.0, options_.shadow_lines * importance);
+  const bool ray = receiver.is_point() && opening.ring.size() == 1;
+  if (ray) return {blocked(receiver.ring[0], opening.ring[0], receiver.skip) ? 0.0 : free_lx, 0.0};
+  const bool beam = beam_ < kNear;
+  if ((lines < kFewLines && !beam) || !emitter_.mirrors.empty())
+    return by_rays(pair, free_lx, static_cast<int>(std::ceil(lines)), receiver.skip, chance);
+  if (!between.known) find(between);
+  if (between.found.empty()) return {free_lx, 0.0};
+  const ConvexRing bounds =
+      opening_.bounds.front_of(receiver.frame->n, glm::dot(receiver.frame->n, receiver.ring[0]));
+  Shadows shadows{bounds, free_lx, lines, receiver.skip, chance};
+  return shadowed(pair, between.found, 0, shadows);
+}
+
+void PairIntegrator::find(PlatesBetween& between) const {
+  const Receiver& region = between.region;
+  between.known = true;
+  const Vec3& n = region.frame->n;
+  const double offset = glm::dot(n, region.ring[0]);
+  const ConvexRing bounds = opening_.bounds.front_of(n, offset);
+  if (bounds.empty()) return;
+  Shaft shaft(region.ring, bounds, region.skip);
+  shaft.add_limit(n, offset);
+  plates_.candidates(shaft, between.found);
+}
+
+double PairIntegrator::illuminance(const Vec3& normal, const Vec3& p, const Vec3& q) const {
   const Vec3 d = p - q;
-  const double height = -glm::dot(d, receiver.frame->n);
+  const double height = -glm::dot(d, normal);
   if (!(height > 0.0)) return 0.0;
   const double r2 = glm::dot(d, d);
   return fitting_.intensity.at(luminaire_.to_local(d)) * height / (r2 * std::sqrt(r2));
 }
 
-// Far away and bringing little, judged between the middles.
-bool PairIntegrator::is_faint(const Receiver& receiver, const Part& pair) const {
-  if (near(receiver, pair)) return false;
-  const Vec3 p = receiver.frame->to_world({pair[0].middle(), pair[1].middle()});
-  return unshadowed(receiver, p, on_opening(0.5, 0.5)) < faint_;
+// How large a pair may be against its distance; 0 where it is wholly dark.
+double PairIntegrator::near_limit(const Pair& pair) const {
+  const double limit = pair.cell.ring.size() == 1 ? kNearPoint : kNear;
+  if (!(beam_ < kNear)) return limit;
+  const Vec3 d = pair.cell.middle - pair.opening.middle;
+  const double sine = 0.5 * pair.size_m() / glm::length(d);
+  if (!(sine < 1.0)) return limit * beam_ / kNear;
+  const double bound_cd = fitting_.intensity.bound_cd(luminaire_.to_local(d), std::asin(sine));
+  if (bound_cd == 0.0) return 0.0;
+  return bound_cd < kSpill * fitting_.intensity.max_cd() ? limit : limit * beam_ / kNear;
 }
 
-PairIntegrator::Sum PairIntegrator::faint(const Receiver& receiver, const Part& pair, Chance& chance) const {
-  Probe sum;
-  probe(sum, receiver.whole ? kFaintRays : n_probe_rays_, receiver, pair, chance);
-  return {static_cast<double>(sum.n_inside) / sum.n, sum.visible / sum.n};
-}
-
-// Gauss points, two an axis, visibility left out.
-PairIntegrator::Smooth PairIntegrator::smooth(const Receiver& receiver, const Part& part) const {
-  const bool area = receiver.polygon != nullptr, extended = opening_m_ != Vec2(0.0);
-  const int n = area && extended ? 8 : (area || extended ? 4 : 1);
-  Smooth result;
-  int n_lit = 0;
-  for (int run = 0; run < n; ++run) {
-    // A half fraction of the 2^4 design: every odd moment up to the third vanishes.
-    std::array<int, 4> sign = {run & 1 ? 1 : -1, run & 2 ? 1 : -1, run & 4 ? 1 : -1, 0};
-    sign[3] = sign[0] * sign[1] * sign[2];
-    if (n == 4) sign = extended ? std::array{0, 0, sign[0], sign[1]} : std::array{sign[0], sign[1], 0, 0};
-    if (n == 1) sign = {0, 0, 0, 0};
-    const double lx =
-        unshadowed(receiver, receiver.frame->to_world({part[0].gauss(sign[0]), part[1].gauss(sign[1])}),
-                   on_opening(part[2].gauss(sign[2]), part[3].gauss(sign[3])));
-    n_lit += lx > 0.0;
-    result.mean += lx / n;
+// Illuminance that the parts of a pair bring to the whole receiver, with nothing in the way.
+double PairIntegrator::free(const Pair& pair, int depth) const {
+  const bool area = pair.cell.ring.size() > 2, extended = pair.opening.ring.size() > 2;
+  const double distance_m = pair.distance_m(), size_m = pair.size_m();
+  const double limit = near_limit(pair);
+  if (limit == 0.0) return 0.0;
+  if (size_m <= limit * distance_m) return by_gauss(pair);
+  if (extended && fitting_.intensity.is_lambertian()) return of_lambertian(pair, depth);
+  const bool near = size_m > kNear * distance_m;
+  if (depth >= kMostHalvings || (near && area && extended && pair.cell.share <= kSmallestShare &&
+                                 pair.opening.radius_m <= 2.0 * pair.cell.radius_m))
+    return touching(pair);
+  double sum = 0.0;
+  for (const Side& part : halves(pair.halve_cell() ? pair.cell : pair.opening)) {
+    if (!(part.share > 0.0)) continue;
+    sum += pair.halve_cell() ? free({part, pair.opening, pair.normal}, depth + 1)
+                             : free({pair.cell, part, pair.normal}, depth + 1);
   }
-  result.horizon = n_lit > 0 && n_lit < n;
-  return result;
-}
-
-std::array<double, 4> PairIntegrator::sides_m(const Part& part) const {
-  return {part[0].length(), part[1].length(), part[2].length() * opening_m_.x,
-          part[3].length() * opening_m_.y};
-}
-
-bool PairIntegrator::near(const Receiver& receiver, const Part& part) const {
-  const auto side = sides_m(part);
-  const double size_m = std::hypot(side[0], side[1]) + std::hypot(side[2], side[3]);
-  const Vec3 p = receiver.frame->to_world({part[0].middle(), part[1].middle()});
-  const double limit = receiver.polygon ? near_ : near_ / 2.0;
-  return size_m > limit * glm::length(p - on_opening(part[2].middle(), part[3].middle()));
-}
-
-PairIntegrator::Sum PairIntegrator::integrate(const Receiver& receiver, const Part& part, int near_halvings,
-                                              int horizon_halvings, Chance& chance) const {
-  if (near_halvings < kMaxNearHalvings && near(receiver, part)) {
-    const bool pair = receiver.polygon != nullptr && opening_m_ != Vec2(0.0);
-    if (pair && near_halvings == kMaxPairHalvings) return close(receiver, part, chance);
-    return halves(receiver, part, near_halvings + 1, horizon_halvings, chance);
-  }
-  const Smooth expected = smooth(receiver, part);
-  if (expected.horizon && horizon_halvings < kMaxHorizonHalvings)
-    return halves(receiver, part, near_halvings, horizon_halvings + 1, chance);
-  return leaf(receiver, part, expected, near_halvings + horizon_halvings, chance);
-}
-
-PairIntegrator::Sum PairIntegrator::halves(const Receiver& receiver, const Part& part, int near_halvings,
-                                           int horizon_halvings, Chance& chance) const {
-  const auto side = sides_m(part);
-  const auto longest = static_cast<std::size_t>(std::max_element(side.begin(), side.end()) - side.begin());
-  Part low = part, high = part;
-  low[longest].high = high[longest].low = part[longest].middle();
-  const Sum both = integrate(receiver, low, near_halvings, horizon_halvings, chance) +
-                   integrate(receiver, high, near_halvings, horizon_halvings, chance);
-  return {both.weight / 2.0, both.value / 2.0};
-}
-
-void PairIntegrator::probe(Probe& sum, int n, const Receiver& receiver, const Part& part,
-                           Chance& chance) const {
-  for (; sum.n < n; ++sum.n) {
-    const auto x = chance.draw();
-    const Vec2 local(part[0].at(x[0]), part[1].at(x[1]));
-    if (!receiver.whole && !receiver.polygon->contains(local)) continue;
-    ++sum.n_inside;
-    const Vec3 p = receiver.frame->to_world(local), q = on_opening(part[2].at(x[2]), part[3].at(x[3]));
-    const double lx = unshadowed(receiver, p, q);
-    if (!(lx > 0.0)) continue;
-    ++sum.n_lit;
-    sum.lit += lx;
-    if (blocked(p, q, receiver.skip)) continue;
-    ++sum.n_visible;
-    sum.visible += lx;
-  }
-}
-
-PairIntegrator::Sum PairIntegrator::leaf(const Receiver& receiver, const Part& part, const Smooth& expected,
-                                         int halvings, Chance& chance) const {
-  if (receiver.whole && (!test_visibility_ || !(expected.mean > 0.0))) return {1.0, expected.mean};
-  const bool points = receiver.polygon == nullptr && opening_m_ == Vec2(0.0);
-  int n = std::max(kMinProbeRays, n_probe_rays_ >> std::min(halvings, 4));
-  if (!receiver.whole) n = std::max(n, n_probe_rays_);
-  Probe sum;
-  probe(sum, points ? 1 : n, receiver, part, chance);
-  if (sum.mixed())
-    probe(sum, std::max(n, kShadowRaysPerProbeRay * n_probe_rays_ >> std::min(halvings, 4)), receiver, part,
-          chance);
-  const double weight = static_cast<double>(sum.n_inside) / sum.n;
-  if (!receiver.whole) return {weight, sum.visible / sum.n};
-  return {1.0, sum.lit > 0.0 ? expected.mean * sum.visible / sum.lit : 0.0};
-}
-
-// Light from points of the opening into the solid angle that the part of the cell fills: stays finite, and
-// keeps its flux, however small the distance.
-PairIntegrator::Sum PairIntegrator::close(const Receiver& receiver, const Part& part, Chance& chance) const {
-  const Vec2 low(part[0].low, part[1].low), high(part[0].high, part[1].high);
-  Sum sum;
-  for (int i = 0; i < kCloseRays; ++i) {
-    const auto x = chance.draw();
-    if (receiver.whole || receiver.polygon->contains({part[0].at(x[0]), part[1].at(x[1])}))
-      sum.weight += 1.0 / kCloseRays;
-    const Vec3 q = on_opening(part[2].at(x[2]), part[3].at(x[3]));
-    // In the plane of the cell there is nothing to see of it but rounding.
-    if (receiver.frame->height(q) <= caster_.tolerance_m()) continue;
-    const SphericalRectangle seen(*receiver.frame, low, high, q);
-    if (!(seen.solid_angle_sr() > 0.0)) continue;
-    const Vec2 local = seen.sample(x[0], x[1]);
-    if (!receiver.whole && !receiver.polygon->contains(local)) continue;
-    const Vec3 p = receiver.frame->to_world(local);
-    const double cd = fitting_.intensity.at(luminaire_.to_local(p - q));
-    if (cd > 0.0 && !blocked(p, q, receiver.skip)) sum.value += cd * seen.solid_angle_sr();
-  }
-  sum.value /= kCloseRays * part[0].length() * part[1].length();
   return sum;
+}
+
+double PairIntegrator::by_gauss(const Pair& pair) const {
+  ConvexRing::Nodes p, q;
+  pair.cell.ring.nodes(p);
+  pair.opening.ring.nodes(q);
+  double sum = 0.0;
+  if (p.n == 4 && q.n == 4) {
+    // A half fraction of the 2^4 design: every odd moment up to the third vanishes.
+    for (std::size_t run = 0; run < 8; ++run) {
+      const std::size_t s0 = run & 1, s1 = run >> 1 & 1, s2 = run >> 2, s3 = (s0 + s1 + s2) & 1;
+      sum += illuminance(pair.normal, p.at[2 * s0 + s1], q.at[2 * s2 + s3]) / 8.0;
+    }
+  } else {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(p.n); ++i) {
+      for (std::size_t j = 0; j < static_cast<std::size_t>(q.n); ++j)
+        sum += p.weight[i] * q.weight[j] * illuminance(pair.normal, p.at[i], q.at[j]);
+    }
+  }
+  return pair.cell.share * pair.opening.share * sum;
+}
+
+// Parts so near that 1/r^2 cannot be sampled: exact in the solid angle, the intensity taken once.
+double PairIntegrator::touching(const Pair& pair) const {
+  ConvexRing::Nodes nodes;
+  double sum = 0.0;
+  if (pair.opening.ring.size() > 2) {
+    pair.cell.ring.nodes(nodes);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(nodes.n); ++i) {
+      const Vec3 d = nodes.at[i] - pair.opening.middle;
+      // Cosine at the cell over that at the opening: their heights over each other's plane, which between
+      // parallel planes is 1 in every direction.
+      const double over_cell_m = std::max(0.0, -glm::dot(d, pair.normal));
+      const double over_opening_m = std::abs(glm::dot(d, opening_.normal));
+      if (!(over_cell_m > 0.0)) continue;
+      const double ratio = over_cell_m / std::max(over_opening_m, kLeastRatio * over_cell_m);
+      sum += nodes.weight[i] * fitting_.intensity.at(luminaire_.to_local(d)) * ratio / opening_.measure *
+             solid_angle_sr(pair.opening.ring, nodes.at[i]);
+    }
+    return pair.cell.share * sum;
+  }
+  if (pair.cell.ring.size() == 1) return 0.0;  // the source stands on the point itself
+  pair.opening.ring.nodes(nodes);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(nodes.n); ++i) {
+    const Vec3 d = pair.cell.middle - nodes.at[i];
+    if (d == Vec3(0.0)) continue;
+    sum += nodes.weight[i] * fitting_.intensity.at(luminaire_.to_local(d)) *
+           solid_angle_sr(pair.cell.ring, nodes.at[i]) / pair.cell.ring.area_m2();
+  }
+  return pair.cell.share * pair.opening.share * sum;
+}
+
+// Lambert's edge sum at points of the cell, whose parts are halved towards the opening.
+double PairIntegrator::of_lambertian(const Pair& pair, int depth) const {
+  const Side& cell = pair.cell;
+  const bool small = cell.ring.size() == 1 || cell.share <= kSmallestShare || depth >= kMostHalvings ||
+                     2.0 * cell.radius_m <= kNearLambertian * pair.opening.ring.distance_m(cell.middle);
+  double sum = 0.0;
+  if (!small) {
+    for (const Side& part : halves(cell)) {
+      if (part.share > 0.0) sum += of_lambertian({part, pair.opening, pair.normal}, depth + 1);
+    }
+    return sum;
+  }
+  ConvexRing::Nodes nodes;
+  cell.ring.nodes(nodes);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(nodes.n); ++i)
+    sum += nodes.weight[i] * projected_solid_angle_sr(pair.opening.ring, nodes.at[i], pair.normal);
+  return cell.share * sum * fitting_.intensity.max_cd() / opening_.measure;
+}
+
+PairIntegrator::Path PairIntegrator::path(const Receiver& receiver, const std::array<double, 4>& x) const {
+  Path path;
+  const Vec3 q = opening_.ring.sample(x[2], x[3]);
+  const Frame& frame = *receiver.frame;
+  if (receiver.is_point()) {
+    path.at = receiver.ring[0];
+    path.towards = glm::normalize(q - path.at);
+    const double lx = illuminance(frame.n, path.at, q);
+    if (lx > 0.0 && !(test_visibility_ && blocked(path.at, q, receiver.skip))) path.lx = lx;
+    return path;
+  }
+  if (frame.height(q) <= caster_.tolerance_m()) return path;
+  // Evenly over the solid angle that the cell's rectangle fills: what is near is not missed.
+  Vec2 low = frame.to_local(receiver.ring[0]), high = low;
+  for (const Vec3& corner : receiver.ring) {
+    low = glm::min(low, frame.to_local(corner));
+    high = glm::max(high, frame.to_local(corner));
+  }
+  const SphericalRectangle seen(frame, low, high, q);
+  if (!(seen.solid_angle_sr() > 0.0)) return path;
+  path.at = frame.to_world(seen.sample(x[0], x[1]));
+  path.towards = glm::normalize(q - path.at);
+  if (receiver.ring.distance_m(path.at) > caster_.tolerance_m()) return path;
+  const double cd = fitting_.intensity.at(luminaire_.to_local(path.at - q));
+  if (cd > 0.0 && !(test_visibility_ && blocked(path.at, q, receiver.skip)))
+    path.lx = cd * seen.solid_angle_sr() / receiver.ring.area_m2();
+  return path;
 }
 
 }  // namespace dim

@@ -2,115 +2,122 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "base/low_discrepancy.hpp"
+#include "geometry/shadow_plates.hpp"
 #include "transport/emitter.hpp"
+#include "transport/opening_region.hpp"
 
 namespace dim {
 
-struct Interval {
-  double low = 0.0, high = 1.0;
-  double middle() const { return (low + high) / 2.0; }
-  double length() const { return high - low; }
-  double gauss(int sign) const { return middle() + sign * length() * 0.28867513459481287; }
-  double at(double t) const { return low + t * length(); }
-};
-
-/// A part of the pair cell x opening: axes 0, 1 run over the cell in metres, 2, 3 over the opening's unit
-/// square.
-using Part = std::array<Interval, 4>;
-
-inline Part whole_pair(const Vec2& low, const Vec2& high) {
-  return {Interval{low.x, high.x}, Interval{low.y, high.y}, Interval{0.0, 1.0}, Interval{0.0, 1.0}};
-}
-
-/// Where direct light is received: a cell, or a measuring point (a part without extent).
+/// Where direct light is received: a convex cell, or a measuring point (a ring of one corner).
 struct Receiver {
-  const Frame* frame;
-  const Polygon* polygon;  ///< null for a measuring point
-  bool whole;              ///< every point of the rectangle belongs to the cell
-  int skip;                ///< plate it lies on
-  std::uint64_t stream;    ///< its own chance
-  const Vec2* centroid;    ///< of the cell's clipped region; null for a measuring point
+  const Frame* frame;  ///< of the plane, n towards the lit side; its origin is the point
+  ConvexRing ring;     ///< in space, in that plane
+  int skip;            ///< plate it lies on, or -1
+  std::uint64_t stream;  ///< its own chance
+  bool is_point() const { return ring.size() == 1; }
+};
+Receiver point_receiver(const Frame& frame, int skip, std::uint64_t stream);
+
+/// Mean illuminance and the variance of its estimate, lx and lx2; 0 where it is exact to quadrature.
+struct DirectEstimate {
+  double lx = 0.0;
+  double variance_lx2 = 0.0;
 };
 
-/// The direct light of one emitter on any receiver, see `direct_light`. Mirrors reflect it whole: what they
-/// absorb is for the caller to take off.
+/// Plates that can stand between an emitter and a region of receivers; found when first asked for.
+struct PlatesBetween {
+  const Receiver& region;  ///< holds the receivers
+  std::vector<int> found{};
+  bool known = false;
+};
+
+struct PairOptions {
+  /// Lines along which the visible share of a pair is found where something is in the way. A cell that gets
+  /// less than the emitter's typical illuminance has in proportion fewer; points have all.
+  int shadow_lines = 128;
+  double typical_lx = 0.0;   ///< see `typical_illuminance_lx`; 0: every cell has all
+  bool in_the_way = true;    ///< false where nothing can be: visibility is not tested (mirrors' edges are)
+};
+
+/// The direct light of one emitter on any receiver. Mirrors reflect it whole: what they absorb is for the
+/// caller to take off.
+///
+/// E = 1/(A_cell A_opening) times the integral over cell and opening of I(direction) cos(theta) / r^2
+/// (equation 8 of the paper for each pair of points). Cell and opening are first clipped by each other's
+/// horizon, exactly. The integral without obstruction is taken by Gauss's rule, the pair halved wherever it is
+/// large against its distance, and by Lambert's edge sum where the two touch. Where plates stand within the
+/// hull of the pair, exactly: not at all, wholly (0), or in part; in part, the share is found along lines
+/// through the opening from points of the cell (or the other way round), on each of which it is exact. The
+/// estimate is unbiased: E = c E_free + mean(visible - c free) with c from the other half of the lines.
+/// Nothing depends on what other emitters there are.
 class PairIntegrator {
  public:
-  /// @param faint_lx      pairs that bring less (where they are not near) are sampled coarsely
-  /// @param n_probe_rays  that probe the visibility of a pair
-  /// @param in_the_way    false where nothing can be: visibility is not tested (mirrors' edges are)
-  PairIntegrator(const Zone& zone, const RayCaster& caster, const Emitter& emitter, double faint_lx,
-                 int n_probe_rays, std::uint64_t stream, bool in_the_way = true);
+  PairIntegrator(const Zone& zone, const RayCaster& caster, const ShadowPlates& plates, const Emitter& emitter,
+                 const PairOptions& options);
 
-  /// Mean illuminance over the receiver with the luminaire's factor left out.
-  double mean(const Receiver& receiver, const Part& pair) const;
+  /// The luminaire's factor is left out.
+  /// @param between  of a region that holds the receiver, for this emitter: neighbours share it
+  DirectEstimate mean(const Receiver& receiver, PlatesBetween& between) const;
+  DirectEstimate mean(const Receiver& receiver) const {
+    PlatesBetween between{receiver};
+    return mean(receiver, between);
+  }
 
   /// One path between receiver and opening, at four coordinates in [0, 1): where it comes in, and what
-  /// illuminance it brings to the whole receiver, 0 if blocked or outside the cell. The mean over many is the
-  /// receiver's (times the cell's share of its rectangle). Cells are sampled by the solid angle they fill,
-  /// seen from the opening.
+  /// illuminance it brings to the whole receiver, 0 if blocked. The mean over many is the receiver's. Cells
+  /// are sampled by the solid angle they fill, seen from the opening.
   struct Path {
     Vec3 at{0.0};       ///< on the receiver
     Vec3 towards{0.0};  ///< unit, to the emitter
     double lx = 0.0;
   };
-  Path path(const Receiver& receiver, const Part& pair, const std::array<double, 4>& x) const;
-
-  Vec3 on_opening(double s, double t) const;
+  Path path(const Receiver& receiver, const std::array<double, 4>& x) const;
 
  private:
-  struct Sum {
-    double weight = 0.0;  // share of the part that belongs to the cell
-    double value = 0.0;   // weight * mean illuminance
-    Sum operator+(const Sum& other) const { return {weight + other.weight, value + other.value}; }
+  // A part of the cell or of the opening, and the share of the whole it is.
+  struct Side {
+    ConvexRing ring;
+    double share = 1.0;
+    Vec3 middle{0.0};
+    double radius_m = 0.0;
   };
-  // The chance of one pair: a stream of points, each used once.
-  struct Chance {
-    LowDiscrepancy4 points;
-    std::uint64_t next = 0;
-    std::array<double, 4> draw() { return points(next++); }
-  };
-  struct Probe {
-    int n = 0, n_inside = 0, n_lit = 0, n_visible = 0;
-    double lit = 0.0, visible = 0.0;
-    bool mixed() const { return n_visible > 0 && n_visible < n_lit; }
-  };
-  struct Smooth {
-    double mean = 0.0;
-    bool horizon = false;  // some points receive light, some do not
-  };
+  struct Pair;
+  struct Chance;
+  struct Shadows;
+  static Side side(const ConvexRing& ring, double share);
+  static std::array<Side, 2> halves(const Side& whole);
 
+  void find(PlatesBetween& between) const;
+  bool clip(const Receiver& receiver, Side& cell, Side& opening) const;
+  double illuminance(const Vec3& normal, const Vec3& p, const Vec3& q) const;
+  double near_limit(const Pair& pair) const;
+  double free(const Pair& pair, int depth) const;
+  double by_gauss(const Pair& pair) const;
+  double touching(const Pair& pair) const;
+  double of_lambertian(const Pair& pair, int depth) const;
+  DirectEstimate shadowed(const Pair& pair, std::vector<int> plates, int depth, Shadows& shadows) const;
+  DirectEstimate by_lines(const Pair& pair, double free_lx, const std::vector<int>& plates, int n,
+                          Shadows& shadows) const;
+  DirectEstimate by_rays(const Pair& pair, double free_lx, int n, int skip, Chance& chance) const;
+  bool lines_on_cell(const Pair& pair, const std::vector<int>& plates) const;
+  Vec3 line_direction(const ConvexRing& ring, const Vec3& eye, const std::vector<int>& plates,
+                      ShadowPlates::LooksFrom looks_from, Intervals& hidden) const;
   bool blocked(const Vec3& receiver, const Vec3& on_opening, int skip) const;
-  double of_sliver(const Receiver& receiver, const Part& pair, Chance& chance) const;
-  bool hidden_by_orientation(const Receiver& receiver, const Part& pair) const;
-  double unshadowed(const Receiver& receiver, const Vec3& p, const Vec3& q) const;
-  bool is_faint(const Receiver& receiver, const Part& pair) const;
-  Sum faint(const Receiver& receiver, const Part& pair, Chance& chance) const;
-  Smooth smooth(const Receiver& receiver, const Part& part) const;
-  std::array<double, 4> sides_m(const Part& part) const;
-  bool near(const Receiver& receiver, const Part& part) const;
-  Sum integrate(const Receiver& receiver, const Part& part, int near_halvings, int horizon_halvings,
-                Chance& chance) const;
-  Sum halves(const Receiver& receiver, const Part& part, int near_halvings, int horizon_halvings,
-             Chance& chance) const;
-  void probe(Probe& sum, int n, const Receiver& receiver, const Part& part, Chance& chance) const;
-  Sum leaf(const Receiver& receiver, const Part& part, const Smooth& expected, int halvings,
-           Chance& chance) const;
-  Sum close(const Receiver& receiver, const Part& part, Chance& chance) const;
 
   const Zone& zone_;
   const RayCaster& caster_;
+  const ShadowPlates& plates_;
   const Emitter& emitter_;
   const Luminaire& luminaire_;
   const Fitting& fitting_;
-  int n_probe_rays_;
+  PairOptions options_;
   bool test_visibility_;
   std::uint64_t stream_;
-  Vec2 opening_m_{0.0};
-  double faint_ = 0.0;
-  double near_;
+  OpeningRegion opening_;
+  double beam_;  // limit of size over distance within the beam
 };
 
 }  // namespace dim

@@ -17,6 +17,7 @@ struct ModelPlan {
   std::vector<std::string> without_spectrum;  ///< fittings that count as equal-energy white
   std::size_t n_bands = 0, n_classes = 0;
   std::size_t n_off_specular_cells = 0, n_lobe_patches = 0;
+  std::size_t n_bodies = 0, n_body_cells = 0;  ///< of luminaires, among the zone's surfaces
   std::size_t n_images = 0;        ///< of luminaires in mirrors
   int mirror_depth = 0;            ///< most mirrors one after the other that cells have images in
   std::size_t n_mirror_rays = 0;   ///< followed from the last images on,

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "network/stream_key.hpp"
 #include "transport/cell_light.hpp"
 #include "transport/image_series.hpp"
 
@@ -35,12 +36,12 @@ struct Series {
 class OneLuminaire {
  public:
   OneLuminaire(const Zone& zone, const Lights& lights, const ReflectanceClasses& classes,
-               const MirrorImages& images, const RayCaster& caster, const Emitter& luminaire)
+               const MirrorImages& images, const Obstructions& obstructions, const Emitter& luminaire)
       : zone_(zone),
         lights_(lights),
         classes_(classes),
         images_(images),
-        caster_(caster),
+        obstructions_(obstructions),
         order_{luminaire},
         series_(zone.points.size(), {std::vector<std::vector<double>>(classes.size()),
                                      std::vector<std::vector<double>>(classes.size())}) {}
@@ -56,7 +57,7 @@ class OneLuminaire {
     order_ = std::move(*next);
     n_ += order_.size();
     ++depth_;
-    const auto integrators = make_integrators(zone_, lights_, order_, caster_, order_.front().in_the_way);
+    const auto integrators = make_integrators(zone_, order_, obstructions_, order_.front().in_the_way);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, series_.size(), 4), [&](const auto& range) {
       for (std::size_t p = range.begin(); p != range.end() && !job.stopped(); ++p) add_order(p, integrators);
     });
@@ -88,13 +89,13 @@ class OneLuminaire {
  private:
   void add_order(std::size_t point, const std::vector<PairIntegrator>& integrators) {
     const Frame frame = frame_at(zone_.points[point]);
-    const Receiver receiver{&frame, nullptr, true, -1, mix(~point), nullptr};
+    const Receiver receiver = point_receiver(frame, -1, point_key(zone_, point));
     const double tolerance_m = 1e-9 * zone_.diameter_m;
     std::vector<double> sums(classes_.size(), 0.0), largest(classes_.size(), 0.0);
     for (std::size_t e = 0; e < order_.size(); ++e) {
       const auto& luminaire = order_[e].luminaire;
       if (order_[e].beam.misses({&frame.origin, 1}, tolerance_m)) continue;
-      const double lx = luminaire.factor * integrators[e].mean(receiver, whole_pair(Vec2(0.0), Vec2(0.0)));
+      const double lx = luminaire.factor * integrators[e].mean(receiver).lx;
       if (!(lx > 0.0)) continue;
       const auto tint = tints_of(zone_, classes_, order_[e], frame.origin);
       for (std::size_t q = 0; q < tint.size(); ++q) {
@@ -112,7 +113,7 @@ class OneLuminaire {
   const Lights& lights_;
   const ReflectanceClasses& classes_;
   const MirrorImages& images_;
-  const RayCaster& caster_;
+  const Obstructions& obstructions_;
   std::vector<Emitter> order_;
   std::vector<Series> series_;
   int depth_ = 0;
@@ -123,7 +124,7 @@ class OneLuminaire {
 }  // namespace
 
 PointImages point_images(const Zone& zone, const Lights& lights, const ReflectanceClasses& classes,
-                         const std::vector<int>& mirrors, const RayCaster& caster,
+                         const std::vector<int>& mirrors, const Obstructions& obstructions,
                          const std::vector<std::size_t>& source_of, std::size_t n_sources,
                          const std::vector<double>& direct_lx, bool in_the_way,
                          const PointImagesOptions& options, const Job& job) {
@@ -137,7 +138,7 @@ PointImages point_images(const Zone& zone, const Lights& lights, const Reflectan
   if (!options.depth) most = std::min(most, kMostOfOne);
   for (const Emitter& luminaire : own_emitters(lights, in_the_way)) {
     const std::size_t l = luminaire.original;
-    OneLuminaire one(zone, lights, classes, images, caster, luminaire);
+    OneLuminaire one(zone, lights, classes, images, obstructions, luminaire);
     const double dark_lx =
         kDark * luminaire.luminaire.factor * luminaire.fitting->intensity.flux_lm() / area_m2;
     const auto is_good = [&] {

@@ -28,7 +28,7 @@ struct PointImagesOptions {
 /// @param direct_lx  [n_points, n_luminaires] from the luminaires themselves
 /// @throws Interrupted
 PointImages point_images(const Zone& zone, const Lights& lights, const ReflectanceClasses& classes,
-                         const std::vector<int>& mirrors, const RayCaster& caster,
+                         const std::vector<int>& mirrors, const Obstructions& obstructions,
                          const std::vector<std::size_t>& source_of, std::size_t n_sources,
                          const std::vector<double>& direct_lx, bool in_the_way,
                          const PointImagesOptions& options, const Job& job);

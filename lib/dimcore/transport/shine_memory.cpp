@@ -116,7 +116,7 @@ std::size_t bytes(double n, std::size_t each) { return static_cast<std::size_t>(
 
 ShineMemory shine_memory(const Zone& zone, const Cells& cells, const Network& network,
                          const ReflectanceClasses& classes, const RayCaster& caster,
-                         const MirrorRayOptions& mirror_rays, std::size_t n_columns, std::size_t n_stored) {
+                         const MirrorRayOptions& mirror_rays, std::size_t n_columns) {
   const PatchGrid grid = lobe_grid(network.patches);
   const auto of_surface = shininess_of_surfaces(zone, classes, grid);
   ShineMemory memory;
@@ -142,10 +142,11 @@ ShineMemory shine_memory(const Zone& zone, const Cells& cells, const Network& ne
   if (any_mirror)
     memory.links += cells.size() * classes.size() * (sizeof(double) + sizeof(ShineLinks::Passed));
 
-  const std::size_t solved_at_once = std::min(n_columns, kMaxColumns);
+  // Of direct light (and apart what rays carried on from mirrors), solved, and both once more as they are
+  // stored.
+  const std::size_t copies = any_mirror ? 5 : 4, solved_at_once = std::min(n_columns, kColumnsPerLane);
   memory.light = memory.n_off_specular * memory.n_patches *
-                 ((any_mirror ? 3 : 2) * n_columns * sizeof(float) + 2 * n_stored * sizeof(float) +
-                  2 * solved_at_once * sizeof(double));
+                 (copies * n_columns * sizeof(float) + 2 * solved_at_once * sizeof(double));
   return memory;
 }
 

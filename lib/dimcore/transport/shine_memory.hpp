@@ -16,9 +16,8 @@ struct ShineMemory {
 ///
 /// @param caster     of everything in the way
 /// @param n_columns  sources * classes
-/// @param n_stored   sources * bands
 ShineMemory shine_memory(const Zone& zone, const Cells& cells, const Network& network,
                          const ReflectanceClasses& classes, const RayCaster& caster,
-                         const MirrorRayOptions& mirror_rays, std::size_t n_columns, std::size_t n_stored);
+                         const MirrorRayOptions& mirror_rays, std::size_t n_columns);
 
 }  // namespace dim

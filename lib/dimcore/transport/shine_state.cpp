@@ -300,9 +300,8 @@ void ShineState::copy_psi(std::vector<float>& psi, const std::vector<bool>& want
   const std::size_t n_patches = shine_.grid().n_patches();
   for_off_specular([&](std::size_t first, std::size_t last) {
     for (std::size_t s = first * n_patches; s < last * n_patches; ++s) {
-      for (std::size_t c = 0; c < n_; ++c) {
+      for (std::size_t c = 0; c < n_; ++c)
         if (wanted[c]) psi[s * n_columns_ + first_ + c] = static_cast<float>(psi_[s * n_ + c]);
-      }
     }
   });
 }

@@ -41,7 +41,7 @@ class ShineState {
   void incoming(std::size_t g, const std::vector<double>& exitance, std::vector<double>& phi) const;
 
   /// New lobes from what comes in now.
-  /// @returns [width] the sum over cells and patches of the absolute changes of reflected flux
+  /// @returns [width] the sum of absolute changes of the flux that cells reflect into each patch
   std::vector<double> reflect(const std::vector<double>& exitance);
 
   /// Flux of each column, W per W/m2 of exitance.

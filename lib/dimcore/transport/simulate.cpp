@@ -6,6 +6,9 @@
 
 #include <algorithm>
 
+#include "transport/assembly.hpp"
+#include "transport/auto_bands.hpp"
+#include "network/with_bodies.hpp"
 #include "transport/direct_columns.hpp"
 #include "transport/shine_memory.hpp"
 
@@ -16,9 +19,10 @@ constexpr std::size_t kBlockBytes = 32 * 4 * sizeof(double);  // a block of colu
 constexpr int kProbeRays = 1024;                              // to notice a luminaire in the wrong place
 constexpr int kBalanceRays = 32768;  // to say what share of its light leaves the zone
 
-void check_finishes(const Zone& zone, const Bands& bands) {
+void check_finishes(const Zone& zone, const Bands& bands, const ReflectanceClasses& classes) {
   Problems problems;
-  for (const auto& finish : zone.finishes) {
+  for (std::size_t f = 0; f < zone.finishes.size(); ++f) {
+    const auto& finish = zone.finishes[f];
     if (finish.kind == FinishKind::glazing) {
       problems.add(
           {}, fmt::format("finish '{}' is a glazing; this version models opaque finishes only", finish.name),
@@ -26,7 +30,7 @@ void check_finishes(const Zone& zone, const Bands& bands) {
       continue;
     }
     for (std::size_t b = 0; b < bands.size(); ++b) {
-      const double rho = band_reflection(finish, bands.low_nm(b), bands.high_nm(b)).diffuse;
+      const double rho = classes.at(classes.of_band[b], static_cast<int>(f)).diffuse;
       if (!(rho < 1.0))
         problems.add(
             {},
@@ -73,83 +77,13 @@ Sources make_sources(const Lights& lights, const Bands& bands, Combine combine) 
   return result;
 }
 
-class Assembly {
- public:
-  Assembly(Solution& solution, const ReflectanceClasses& classes) : solution_(solution), classes_(classes) {}
-
-  // From [n, columns] in lux units to [source, band, n] in W/m2.
-  std::vector<float> spread(const Columns<float>& columns) const {
-    const std::size_t n_sources = solution_.sources.size(), n_bands = solution_.bands.size();
-    const std::size_t n = columns.n_rows();
-    std::vector<float> result(n_sources * n_bands * n);
-    tbb::parallel_for(std::size_t{0}, n_sources * n_bands, [&](std::size_t row) {
-      const std::size_t s = row / n_bands, b = row % n_bands;
-      const double watts = band_watts_per_lumen(s, b);
-      const auto column = columns.column((classes_.of_band[b] * n_sources + s) % columns.n_columns());
-      for (std::size_t i = 0; i < n; ++i)
-        result[row * n + i] = static_cast<float>(static_cast<double>(column[i]) * watts);
-    });
-    return result;
-  }
-
-  // From [states, columns] flux per area to [source, band, state] radiance.
-  std::vector<float> spread_states(const std::vector<float>& columns, const PatchGrid& grid) const {
-    const std::size_t n_sources = solution_.sources.size(), n_bands = solution_.bands.size();
-    const std::size_t n_columns = n_sources * classes_.size(),
-                      n = columns.size() / std::max<std::size_t>(n_columns, 1);
-    const auto n_sectors = static_cast<std::size_t>(grid.n_sectors);
-    std::vector<float> result(n_sources * n_bands * n);
-    tbb::parallel_for(std::size_t{0}, n_sources * n_bands, [&](std::size_t row) {
-      const std::size_t s = row / n_bands, b = row % n_bands;
-      const std::size_t column = classes_.of_band[b] * n_sources + s;
-      for (std::size_t i = 0; i < n; ++i) {
-        const double w = grid.weight_sr(static_cast<int>(i % grid.n_patches() / n_sectors));
-        result[row * n + i] = static_cast<float>(static_cast<double>(columns[i * n_columns + column]) *
-                                                 band_watts_per_lumen(s, b) / w);
-      }
-    });
-    return result;
-  }
-
-  double band_watts_per_lumen(std::size_t s, std::size_t b) const {
-    const auto& weights = solution_.sources[s].weights;
-    return weights.share[b] / weights.efficacy_lm_W;
-  }
-
-  void add_energy(const std::vector<ColumnReport>& columns, const std::vector<FirstFlight>& flights) {
-    const std::size_t n_sources = solution_.sources.size();
-    for (std::size_t s = 0; s < n_sources; ++s) {
-      Source& source = solution_.sources[s];
-      for (std::size_t b = 0; b < solution_.bands.size(); ++b) {
-        const auto& column = columns[classes_.of_band[b] * n_sources + s];
-        const double watts = band_watts_per_lumen(s, b);
-        EnergyBalance energy;
-        energy.emitted_W = source.flux_lm * watts;
-        energy.absorbed_W = column.absorbed * watts;
-        energy.escaped_W = (column.escaped + flights[s].escaped * source.flux_lm) * watts;
-        energy.lost_W = flights[s].lost * source.flux_lm * watts;
-        energy.dropped_W = column.dropped * watts;
-        const double accounted = energy.absorbed_W + energy.escaped_W + energy.lost_W + energy.dropped_W;
-        energy.imbalance = energy.emitted_W > 0.0 ? 1.0 - accounted / energy.emitted_W : 0.0;
-        source.energy.push_back(energy);
-        source.iterations = std::max(source.iterations, column.iterations);
-        source.residual = std::max(source.residual, column.residual);
-        source.error_bound = std::max(source.error_bound, column.error_bound);
-      }
-    }
-  }
-
- private:
-  Solution& solution_;
-  const ReflectanceClasses& classes_;
-};
 
 void check_size(std::size_t n_cells, std::size_t n_points, std::size_t n_sources, std::size_t n_classes,
                 std::size_t n_bands, const Job& job) {
   constexpr double kGiB = 1024.0 * 1024.0 * 1024.0;
-  const std::size_t columns = n_sources * n_classes;
-  const std::size_t needed = (n_cells + n_points) * (columns * 3 * sizeof(double) +
-                                                     n_sources * n_bands * 2 * sizeof(float) + kBlockBytes);
+  const std::size_t needed =
+      (n_cells + n_points) *
+      (n_sources * n_classes * (3 * sizeof(double) + 2 * sizeof(float)) + kBlockBytes);
   if (needed > job.memory_limit_bytes)
     throw LimitError(
         fmt::format("{} cells and points x {} sources x {} bands need {:.2f} GiB, {:.2f} GiB are free; use "
@@ -161,24 +95,21 @@ void check_size(std::size_t n_cells, std::size_t n_points, std::size_t n_sources
 void check_shine_size(const ShineMemory& memory, const Job& job) {
   constexpr double kGiB = 1024.0 * 1024.0 * 1024.0;
   if (memory.total() > job.memory_limit_bytes)
-    throw LimitError(
-        fmt::format("light by direction of {} off-specular cells x {} patches, and rays by mirrors, need "
-                    "{:.2f} GiB, {:.2f} "
-                    "GiB are free; use --combine group, fewer --bands, a larger --cell or fewer --patches",
-                    memory.n_off_specular, memory.n_patches, static_cast<double>(memory.total()) / kGiB,
-                    static_cast<double>(job.memory_limit_bytes) / kGiB));
+    throw LimitError(fmt::format(
+        "light by direction of {} off-specular cells x {} patches, and rays by mirrors, need {:.2f} GiB, {:.2f} "
+        "GiB are free; use --combine group, fewer --bands, a larger --cell or fewer --patches",
+        memory.n_off_specular, memory.n_patches, static_cast<double>(memory.total()) / kGiB,
+        static_cast<double>(job.memory_limit_bytes) / kGiB));
 }
 
 // The first flights of each source, luminaires weighted by flux; the long count only where light can leave.
 std::vector<FirstFlight> source_flights(const Zone& zone, const Network& network, const Lights& lights,
                                         const Sources& sources, const Job& job, Warnings& warnings) {
-  const bool bodies = std::any_of(lights.luminaires.begin(), lights.luminaires.end(),
-                                  [](const Luminaire& luminaire) { return luminaire.body; });
   const auto probes = first_flights(zone, lights, kProbeRays, job);
   // A few rays in a million that slip past an edge do not make a zone open.
   constexpr double kLeak = 1e-4;
   const double n_rays = static_cast<double>(network.sinks.n_rays());
-  bool leaves = bodies || static_cast<double>(network.n_escaped_rays + network.n_back_rays) > kLeak * n_rays;
+  bool leaves = static_cast<double>(network.n_escaped_rays + network.n_back_rays) > kLeak * n_rays;
   for (std::size_t l = 0; l < probes.size(); ++l) {
     const auto& luminaire = lights.luminaires[l];
     const double off = probes[l].escaped + probes[l].lost;
@@ -204,26 +135,27 @@ std::vector<FirstFlight> source_flights(const Zone& zone, const Network& network
   return flights;
 }
 
-}  // namespace
-
-Solution simulate(const Zone& zone, const Cells& cells, const Network& network, const Lights& lights,
-                  const SimulationOptions& options, const Job& job, Warnings& warnings) {
-  check_finishes(zone, options.bands);
+// @param n_kept  cells of the solution: the first ones
+Solution simulate_room(const Zone& zone, const Cells& cells, const Network& network, const Lights& lights,
+                       std::size_t n_kept, const SimulationOptions& options, const Job& job,
+                       Warnings& warnings) {
+  const LampSpectra lamps = lamp_spectra(lights);
+  const LatticeValues seen = luminous_weights(lamps.spectra, lamps.flux_lm);
+  const ReflectanceClasses classes = classify(zone, options.bands, options.solve_every_band, &seen);
+  check_finishes(zone, options.bands, classes);
   Sources sources = make_sources(lights, options.bands, options.combine);
-  const ReflectanceClasses classes = classify(zone, options.bands, options.solve_every_band);
   const std::size_t n_sources = sources.sources.size(), n_classes = classes.size();
   const std::size_t n_columns = n_sources * n_classes;
   check_size(cells.size(), zone.points.size(), n_sources, n_classes, options.bands.size(), job);
 
   const Obstructions obstructions(zone, lights);
   const MirrorRayOptions mirror_rays;
-  check_shine_size(shine_memory(zone, cells, network, classes, obstructions.caster(), mirror_rays, n_columns,
-                                n_sources * options.bands.size()),
-                   job);
+  check_shine_size(
+      shine_memory(zone, cells, network, classes, obstructions.caster(), mirror_rays, n_columns), job);
   const Shine shine(zone, cells, network, classes, obstructions.caster(), mirror_rays, job);
   const auto flights = source_flights(zone, network, lights, sources, job, warnings);
   const bool in_the_way = options.always_test_visibility || !is_convex_and_empty(zone, lights);
-  DirectColumns direct = direct_columns(zone, cells, network, lights, classes, shine, obstructions.caster(),
+  DirectColumns direct = direct_columns(zone, cells, network, lights, classes, shine, obstructions,
                                         sources.of_luminaire, n_sources,
                                         {options.gather.tolerance, options.mirror_depth}, in_the_way, job);
   Reflectances reflectances{n_classes, std::vector<double>(zone.surfaces.size() * n_classes),
@@ -233,27 +165,27 @@ Solution simulate(const Zone& zone, const Cells& cells, const Network& network, 
     for (std::size_t q = 0; q < n_classes; ++q)
       reflectances.of_surface[surface * n_classes + q] = classes.at(q, zone.surfaces[surface].finish).diffuse;
   }
+  auto cell_direct = Columns<float>::from_rows(direct.cell, direct.n_columns);
+  const auto point_direct = Columns<float>::from_rows(direct.point, direct.n_columns);
   Solution solution;
   solution.bands = options.bands;
   solution.sources = std::move(sources.sources);
-  solution.n_cells = cells.size();
+  solution.n_cells = n_kept;
   solution.n_points = zone.points.size();
-  solution.n_reflectance_classes = n_classes;
+  solution.classes = classes;
+  solution.n_direct_classes = direct.n_columns / n_sources;
   solution.plan = make_plan(zone, cells, network, lights, classes, shine, n_sources, direct, in_the_way);
-  Assembly assembly(solution, classes);
-  solution.cell_direct = assembly.spread(Columns<float>::from_rows(direct.cell, direct.n_columns));
-  solution.point_direct = assembly.spread(Columns<float>::from_rows(direct.point, direct.n_columns));
-  solution.directional.direct = assembly.spread_states(direct.shine.psi, shine.grid());
+  solution.cell_direct = rows_of_columns(cell_direct, n_kept, n_sources);
+  solution.point_direct = rows_of_columns(point_direct, zone.points.size(), n_sources);
+  solution.directional.direct = rows_of_states(direct.shine.psi, shine.grid(), n_sources, n_columns);
   solution.mirror_depth = direct.mirror_depth;
-  direct.add_followed();
-  const auto cell_direct = Columns<float>::from_rows(direct.cell, direct.n_columns);
-  const auto point_direct = Columns<float>::from_rows(direct.point, direct.n_columns);
+  if (direct.add_followed()) cell_direct = Columns<float>::from_rows(direct.cell, direct.n_columns);
   const GatherShine gather_shine{shine, zone, direct.shine};
   const auto* shiny = shine.any() ? &gather_shine : nullptr;
-  auto gathered =
-      options.solver == Solver::gather
-          ? gather(network, cells, cell_direct, point_direct, reflectances, options.gather, job, shiny)
-          : track(zone, network, cells, cell_direct, point_direct, reflectances, options.track, job, shiny);
+  auto gathered = options.solver == Solver::gather
+                      ? gather(network, cells, cell_direct, point_direct, reflectances, options.gather, job, shiny)
+                      : track(zone, network, cells, cell_direct, point_direct, reflectances, options.track, job,
+                              shiny);
   for (std::size_t c = 0; c < n_columns && shine.any(); ++c) {
     gathered.columns[c].absorbed -= direct.shine.mirrored[c] + direct.shine.not_followed[c];
     gathered.columns[c].dropped += direct.shine.not_followed[c];
@@ -261,12 +193,26 @@ Solution simulate(const Zone& zone, const Cells& cells, const Network& network, 
     gathered.columns[c].error_bound += direct.uncertain[c];
   }
 
-  solution.cell_total = assembly.spread(gathered.cell);
-  solution.point_total = assembly.spread(gathered.point);
+  solution.cell_total = rows_of_columns(gathered.cell, n_kept, n_sources);
+  solution.point_total = rows_of_columns(gathered.point, zone.points.size(), n_sources);
   solution.directional.grid = shine.grid();
   solution.directional.cells = shine.off_specular();
-  solution.directional.total = assembly.spread_states(gathered.psi, shine.grid());
-  assembly.add_energy(gathered.columns, flights);
+  solution.directional.total = rows_of_states(gathered.psi, shine.grid(), n_sources, n_columns);
+  add_energy(solution, gathered.columns, flights);
+  check_storable(solution);
+  return solution;
+}
+
+}  // namespace
+
+Solution simulate(const Zone& zone, const Cells& cells, const Network& network, const Lights& lights,
+                  const SimulationOptions& options, const Job& job, Warnings& warnings) {
+  const auto room = add_bodies(zone, cells, network, lights, job);
+  if (!room) return simulate_room(zone, cells, network, lights, cells.size(), options, job, warnings);
+  Solution solution = simulate_room(room->zone, room->cells, room->network, room->lights, room->n_zone_cells,
+                                    options, job, warnings);
+  solution.plan.n_bodies = room->n_bodies;
+  solution.plan.n_body_cells = room->cells.size() - room->n_zone_cells;
   return solution;
 }
 

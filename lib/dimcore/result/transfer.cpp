@@ -1,0 +1,25 @@
+#include "result/transfer.hpp"
+
+#include "base/error.hpp"
+
+namespace dim {
+
+const std::vector<float>& part_of(const Solution& solution, TransferPart part) {
+  switch (part) {
+    case TransferPart::cell_direct:
+      return solution.cell_direct;
+    case TransferPart::cell_total:
+      return solution.cell_total;
+    case TransferPart::point_direct:
+      return solution.point_direct;
+    case TransferPart::point_total:
+      return solution.point_total;
+    case TransferPart::lobe_direct:
+      return solution.directional.direct;
+    case TransferPart::lobe_total:
+      return solution.directional.total;
+  }
+  throw InternalError("part of a solution of no name");
+}
+
+}  // namespace dim

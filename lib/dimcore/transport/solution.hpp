@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "hemisphere/patches.hpp"
+#include "spectrum/bands.hpp"
+#include "transport/optics.hpp"
+#include "transport/plan.hpp"
+
+namespace dim {
+
+/// Where one source's flux in one band went, W. `imbalance` is what is left of emitted after absorbed,
+/// escaped, lost and dropped, over emitted: what the sampling of direct light misses and what the network's
+/// columns are off by.
+struct EnergyBalance {
+  double emitted_W = 0.0;
+  double absorbed_W = 0.0;
+  double escaped_W = 0.0;  ///< out of an open zone, or reflected onto backs of surfaces
+  double lost_W = 0.0;     ///< direct, on backs of surfaces and on luminaire bodies
+  double dropped_W = 0.0;  ///< still being reflected when the solution was good enough; either sign
+  double imbalance = 0.0;
+};
+
+/// What is solved as one: a luminaire, a group of them or all, with one spectrum.
+struct Source {
+  std::string name;
+  std::string group;
+  std::vector<std::string> luminaires;
+  double flux_lm = 0.0;
+  BandWeights weights;
+  std::vector<EnergyBalance> energy;  ///< [n_bands]
+  int iterations = 0;
+  double residual = 0.0;
+  double error_bound = 0.0;  ///< truncation of inter-reflection, relative to the mean irradiance
+
+  /// W in a band for each lm of the source: what turns transfer into irradiance.
+  double watts_per_lumen(std::size_t band) const { return weights.share[band] / weights.efficacy_lm_W; }
+  /// CIE 1931 XYZ, Y in lm, of 1 lm sent through each class, its bands together: [n_classes]. The Y add up
+  /// to 1.
+  std::vector<Vec3> xyz_by_class(const ReflectanceClasses& classes) const;
+};
+
+/// The source and band whose energy balance is open the most, among those with any light.
+struct WorstBalance {
+  std::size_t source = 0, band = 0;
+  double imbalance = 0.0;  ///< signed; 0 where no source has any light
+};
+WorstBalance worst_balance(const std::vector<Source>& sources);
+
+/// Light by direction from off-specular cells: the mean by their lobes into each patch, cd/m2 as `Solution`
+/// has lx.
+struct Directional {
+  PatchGrid grid;
+  std::vector<std::uint32_t> cells;  ///< [n_off_specular], ascending
+  /// [n_sources, n_classes, n_off_specular, n_patches], of direct light and of all
+  std::vector<float> direct, total;
+};
+
+/// Transfer from sources to cells and measuring points, apart from spectra. Bands in which every finish
+/// reflects alike form a class; a value is the illuminance, lx, that a receiver would have if all of the
+/// source's flux were light of that class. Irradiance in band b is transfer[class of b] *
+/// Source::watts_per_lumen(b), illuminance the sum over classes weighted by the Y of
+/// Source::xyz_by_class.
+///
+/// [n_sources, n_classes, n_cells] or [..., n_points], last fastest; direct light has n_direct_classes.
+struct Solution {
+  Bands bands;
+  ReflectanceClasses classes;
+  std::vector<Source> sources;
+  std::size_t n_cells = 0;
+  std::size_t n_points = 0;
+  std::size_t n_direct_classes = 1;  ///< 1 where no mirror colours direct light, else that of all classes
+  std::vector<float> cell_direct, cell_total;
+  std::vector<float> point_direct, point_total;
+  Directional directional;
+  ModelPlan plan;
+  std::vector<int> mirror_depth;  ///< [n_luminaires] that cells have images of each in; empty: none
+  std::map<std::string, double> counters;  ///< what was done: rays by kind, culled pairs, iterations …
+
+  std::size_t cell_row(std::size_t source, std::size_t klass) const {
+    return (source * classes.size() + klass) * n_cells;
+  }
+  std::size_t point_row(std::size_t source, std::size_t klass) const {
+    return (source * classes.size() + klass) * n_points;
+  }
+};
+
+}  // namespace dim
