@@ -64,7 +64,7 @@ void ColourCommand::points(const LuminanceDatabase& database, const LightColours
 
 void ColourCommand::surfaces(const LuminanceDatabase& database, const LightColours& colours) {
   const Zone& zone = database.zone();
-  const Cells cells(zone);
+  const Cells& cells = database.cells();
   Table table(columns_with_source(input_, with_figures({"surface", "illuminance_mean_lx"})));
   for_sources(database, input_, [&](const std::string& source, const Mix& mix) {
     const auto on = colours.on_surfaces(cells, mix);

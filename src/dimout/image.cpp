@@ -136,7 +136,7 @@ void ImageCommand::render() {
 
   program_.stage("read");
   const LuminanceDatabase database = open_database(program_, input_);
-  const Cells cells(database.zone());
+  const Cells& cells = database.cells();
   RenderOptions options;
   options.view = chosen_view(database.zone());
   options.samples = samples_;

@@ -1,11 +1,11 @@
 #include "base/atomic_file.hpp"
 #include "base/input_file.hpp"
+#include "common/database_option.hpp"
 #include "common/in_file.hpp"
 #include "common/option_checks.hpp"
-#include "database/spectrum_csv.hpp"
+#include "database/spectrum_entry.hpp"
 #include "database/spectrum_text.hpp"
 #include "dimout/commands.hpp"
-#include "spectrum/named_spectra.hpp"
 #include "transport/auto_bands.hpp"
 
 namespace dim {
@@ -25,8 +25,8 @@ CLI::App* add_command(Program& program, DatabaseInput& input, const std::string&
       ->group("Input");
   command
       ->add_option("--spectrum", input.spectra,
-                   "Another spectrum for a source or a group: a name (led-4000), [[nm, value], ...] or a CSV "
-                   "file; repeatable")
+                   "Another spectrum for a source or a group: a name (led-4000), [[nm, value], ...] or a file "
+                   "(.csv, .txt, .spdx, .xml); repeatable")
       ->type_name("NAME=SPECTRUM")
       ->allow_extra_args(false)
       ->check(pair_of("NAME=SPECTRUM"))
@@ -49,28 +49,22 @@ void add_table_options(CLI::App& command, DatabaseInput& input, bool by_source) 
 
 namespace {
 
-// A curve written out, a file of one, or a name.
-SpectralCurve spectrum_given(const std::string& text, const std::string& option) {
-  constexpr std::string_view kTable = ".csv";
+// A curve written out, a file as `dimdbm add` reads them, or a name.
+SpectralCurve spectrum_given(const std::string& text, const DatabaseSearch& search) {
   constexpr std::size_t kMostBytes = 64 << 20;
-  if (text.size() > kTable.size() && text.ends_with(kTable)) {
-    const auto curve = read_spectrum_csv(read_text_file(text, kMostBytes), text, WavelengthUnit::found,
-                                         ValueUnit::relative)
-                           .curves.front();
-    if (!(curve.integral(kVisibleLow_nm, kVisibleHigh_nm) > 0.0))
-      throw InputError({{text, 0, 0}, "no power at any visible wavelength (380..780 nm)", ""});
-    return curve;
+  if (text.starts_with('[')) return read_spectrum_text(text);
+  for (const std::string_view ending : {".csv", ".txt", ".spdx", ".xml"}) {
+    if (text.ends_with(ending)) return read_lamp_spectrum(read_text_file(text, kMostBytes), text).power;
   }
-  return in_file(option, [&] {
-    return text.starts_with('[') ? read_spectrum_text(text) : find_spectrum(text);
-  });
+  return spectrum_finder(search)(text);
 }
 
 void set_spectra(LuminanceDatabase& database, const DatabaseInput& input) {
+  const DatabaseSearch search = database_search("", input.path);
   for (const auto& text : input.spectra) {
     const auto equals = text.find('=');
     const auto sources = sources_named(text.substr(0, equals), database.sources(), "--spectrum");
-    const SpectralCurve curve = spectrum_given(text.substr(equals + 1), "--spectrum " + text);
+    const SpectralCurve curve = in_file("--spectrum " + text, [&] { return spectrum_given(text.substr(equals + 1), search); });
     for (const std::size_t s : sources) database.set_spectrum(s, curve);
   }
 }

@@ -94,7 +94,7 @@ void TableCommands::info() {
 
 void TableCommands::surfaces() {
   const LuminanceDatabase database = open_database(program_, input_);
-  const Cells cells(database.zone());
+  const Cells& cells = database.cells();
   Table table(columns_with_source(input_, {"surface", "area_m2", "illuminance_mean_lx", "illuminance_min_lx",
                                            "illuminance_max_lx", "luminance_mean_cd_m2", "cie_x", "cie_y"}));
   for_sources(database, input_, [&](const std::string& source, const Mix& mix) {
@@ -114,7 +114,7 @@ void TableCommands::surfaces() {
 void TableCommands::cells() {
   const LuminanceDatabase database = open_database(program_, input_);
   const Zone& zone = database.zone();
-  const Cells cells(zone);
+  const Cells& cells = database.cells();
   const auto appearance = cell_appearance(database, cells, mix_of(database, input_));
   Table table({"surface", "cell", "x_m", "y_m", "z_m", "area_m2", "illuminance_lx", "luminance_cd_m2"});
   for (std::size_t i = 0; i < cells.size(); ++i) {

@@ -88,7 +88,9 @@ with_header() {
     with_header room.$kind 's/^kind/kind/'
     cmp room.$kind edited || skip "xxhsum signs differently here"
     with_header room.$kind 's/^version .*/version 9/'
-    $kind "edited: written by format 9, this program reads [12]$" edited
+    $kind "edited: written by DIM [0-9.]+ in format 9, this program reads 2; use" edited
+    with_header room.$kind 's/^version .*/version 1/;/^program/d'
+    $kind "edited: written in format 1, this program reads 2; make it again with this dim(dis|ray)$" edited
     with_header room.$kind 's/^kind .*/kind other/'
     $kind "edited: is a DIM file of kind 'other'; expected" edited
     with_header room.$kind 's/^size .*/size 9000000000000000000/'

@@ -70,6 +70,72 @@ LAMPS
   dimout colour room.lum --mix panels=0 --mix spot=0 | awk -F, 'NR > 1 && ($6 != 0 || $7 != "" || $11 != "" || $13 != "" || $14 != 0) { print; bad = 1 } END { exit bad || NR < 2 }'
 }
 
+@test "as many wavebands as colours need; too few are said with their estimate" {
+  dimdis room.zone.toml -q --patches 64 --set 'finishes.light={diffuse=[[380,0.1],[560,0.1],[620,0.7],[780,0.8]]}' -o red.rays
+  run --separate-stderr dimray red.rays room.lights.toml -o x.lum
+  [[ "$stderr" =~ "dimray: "[0-9]+" wavebands: colours within dE00 0."[0-9]+", luminances within 0."[0-9]+" %" ]]
+  [[ ! "$stderr" =~ "dE00 "[1-9] ]]
+  for bands in 1 2 380,500,780; do
+    run --separate-stderr dimray red.rays room.lights.toml -o x.lum --bands $bands --explain
+    [[ "$stderr" =~ "warning: "[0-9]+" waveband"s?": colours within dE00 "[0-9.]+", luminances within "[0-9.]+" %" ]]
+    [[ "$stderr" =~ "--bands auto" ]]
+    [[ "$stderr" =~ "explain: "[0-9]+" waveband"s?": colours within dE00 " ]]
+  done
+  # Grey: one band, and nothing to say about it.
+  dimdis room.zone.toml -q --patches 64 --set finishes.light=0.7 --set finishes.wood=0.3 -o grey.rays
+  run --separate-stderr dimray grey.rays room.lights.toml -o x.lum
+  [[ ! "$stderr" =~ waveband ]]
+  dimout info x.lum --json | jq -e '.bands_nm == [380, 780]' > /dev/null
+  rm x.lum
+}
+
+@test "temperature, Ra and melanopic EDI only of spectra that somebody stated" {
+  cp "$DIM_SOURCE/examples/05-photometry/panel-4200.ldt" .
+  printf 'dim = "lights/1"\n[[luminaire]]\nname = "A"\nfitting = "panel-4200.ldt"\nat = [2,1.5,2.4]\n' > ldt.toml
+  printf '[[luminaire]]\nname = "B"\nideal = "isotropic"\nintensity = 50\nat = [1,1,1]\nspectrum = "led-4000"\n' >> ldt.toml
+  dimray room.rays ldt.toml -q -o ldt.lum
+  for mix in "" "--mix B=0"; do
+    run --separate-stderr dimout colour ldt.lum $mix
+    [ "$status" -eq 0 ]
+    [[ "$stderr" =~ "warning: source 'A': no spectrum is stated" ]]
+    awk -F, 'NR > 1 && ($11 != "" || $12 != "" || $13 != "" || $14 != "" || $6 == "") { bad = 1 } END { exit bad || NR < 2 }' <<< "$output"
+  done
+  run --separate-stderr dimout colour ldt.lum --mix A=0
+  [ -z "$stderr" ]
+  within cct_K 3900 4100 <<< "$output"
+  run --separate-stderr dimout colour ldt.lum --by source --plane workplane
+  awk -F, '$1 == "A" && $12 != "" || $1 == "B" && $12 == "" { bad = 1 } END { exit bad || NR < 2 }' <<< "$output"
+  dimout colour ldt.lum --spectrum A=led-3000 --mix B=0 2> err | within cct_K 2900 3100
+  [ ! -s err ]
+}
+
+@test "of few bands in a coloured room they are left empty" {
+  dimdis room.zone.toml -q --patches 64 --set 'finishes.light={diffuse=[[380,0.1],[560,0.1],[620,0.7],[780,0.8]]}' -o red.rays
+  dimray red.rays room.lights.toml -q -o few.lum --bands 1 --set luminaire.P.spectrum=led-2800 || [ $? -eq 1 ]
+  run --separate-stderr dimout colour few.lum --json
+  [[ "$stderr" =~ "1 waveband: colours within dE00 "[0-9.]+", luminances within "[0-9.]+" %: too few for colour temperature" ]]
+  jq -e 'all(.cct_K == null and .ra == null and .melanopic_edi_lx == null and .illuminance_lx > 0)' <<< "$output" > /dev/null
+  refused 3 "few.lum: source 'spot' cannot be given another spectrum: .* one waveband" dimout grid few.lum --spectrum spot=d65
+  rm few.lum
+}
+
+@test "another spectrum needs no new solution" {
+  lit cie-a --bands 9
+  cp lit.lum before.lum
+  lit fl-2 --bands 9
+  for table in "grid" "surfaces" "colour --surfaces"; do
+    dimout $table lit.lum > a
+    dimout $table before.lum --spectrum panels=fl-2 --spectrum spot=fl-2 > b
+    paste -d, a b | awk -F, '{ n = NF / 2; for (i = 1; i <= n; ++i) if ($i != $(i + n) && ($i / $(i + n) - 1) ^ 2 > 1e-12) { print; bad = 1 } } END { exit bad }'
+  done
+  printf '# lamp\nnm,power\n400,0\n500,20\n600,150\n700,40\n' > lamp.csv
+  dimout grid before.lum --spectrum spot=lamp.csv | cmp - <(dimout grid before.lum --spectrum 'spot=[[400,0],[500,2],[600,15],[700,4]]')
+  refused 3 "no source or group 'P' for --spectrum" dimout grid lit.lum --spectrum P=d65
+  refused 3 "did you mean 'd5" dimout grid lit.lum --spectrum spot=d56
+  refused 2 "NAME=SPECTRUM" dimout grid lit.lum --spectrum spot
+  refused 4 "nothing.csv: cannot read" dimout grid lit.lum --spectrum spot=nothing.csv
+}
+
 @test "wrong options are refused" {
   refused 2 "surfaces|plane" dimout colour room.lum --surfaces --plane workplane
   refused 3 "did you mean 'workplane'" dimout colour room.lum --plane workplan

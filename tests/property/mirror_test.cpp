@@ -441,7 +441,7 @@ TEST_CASE("A picture shaded point by point shows what fine cells show", "[mirror
     options.mirror_depth = mirror_depth;
     const auto lights = point_lamp({1, 1.3, 2.0}, 100.0);
     const auto solution = solve(zone, lights, network_of(zone, {8, 16}), options);
-    const LuminanceDatabase database(zone, lights, solution);
+    const LuminanceDatabase database(zone, Cells(zone), lights, solution);
     RenderOptions render;
     render.view.eye = {2.2, 3.6, 1.6};
     render.view.focus = {1.8, 1.4, 0.0};

@@ -95,12 +95,18 @@ TEST_CASE("Another kind and a newer version are refused by name", "[base][unit]"
   sample("sky-data").write(folder / "other");
   CHECK(refusal(folder / "other") == "is a DIM file of kind 'sky-data'" + kExpected);
   sample("rays", 3).write(folder / "new");
-  CHECK(refusal(folder / "new", 2) == "written by format 3, this program reads 1..2");
+  CHECK(refusal(folder / "new", 2) == "written by DIM " + dim::version() +
+                                          " in format 3, this program reads 1..2; use that version of DIM or a "
+                                          "newer one");
   CHECK(refusal(folder / "new", 3).empty());
   CHECK(Hdf5Reader(folder / "new", "rays", 4).version() == 3);
   CHECK(io_error([&] { Hdf5Reader(folder / "new", "rays", 4, {}, 4); }) ==
-        folder / "new" + ": written in format 3 by DIM " + dim::version() +
-            ", this program reads 4; make it again with this dimdis");
+        folder / "new" + ": written by DIM " + dim::version() +
+            " in format 3, this program reads 4; make it again with this dimdis");
+  // Files of the first versions do not say which it was.
+  const auto header = dim::make_header({"lum", 1, 612, std::string(32, '0')});
+  CHECK(io_error([&] { dim::parse_header("x", header, "lum", {2, 2}); }) ==
+        "x: written in format 1, this program reads 2; make it again with this dimray");
 }
 
 TEST_CASE("A file cut short at any length is refused", "[base][unit]") {

@@ -35,7 +35,7 @@ LuminanceDatabase database_of(const Zone& zone, const Lights& lights, const std:
   solution.n_cells = cells.size();
   solution.cell_direct.assign(cells.size(), 0.0F);
   for (const double lx : cell_lx) solution.cell_total.push_back(static_cast<float>(lx));
-  return {zone, lights, std::move(solution)};
+  return {zone, cells, lights, std::move(solution)};
 }
 
 LuminanceDatabase uniform_database(const Zone& zone, const Lights& lights, double illuminance_lx) {

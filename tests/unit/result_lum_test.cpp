@@ -9,12 +9,13 @@
 #include "result/lum_file.hpp"
 #include "result/luminous.hpp"
 #include "result/spectra_storage.hpp"
-#include "scene/zone_storage.hpp"
 #include "unit/files_support.hpp"
+#include "unit/forged_file.hpp"
 
 using namespace dim;
 using namespace dim::test;
 using files_test::Folder;
+using files_test::ForgedFile;
 using files_test::io_error;
 
 namespace {
@@ -42,38 +43,28 @@ SimulationOptions three_bands() {
   return options;
 }
 
-// A database with its description changed, the rest as save_lum writes it.
-std::string refusal(const std::function<void(nlohmann::json&)>& change, const std::string& path,
-                    std::size_t n_areas = 6) {
+// A database forged by `change`, read whole.
+std::string refusal(const std::function<void(const ForgedFile&)>& change, const std::string& path) {
   const Zone zone = box_zone({2, 2, 2}, 0.5, 2.0);
   const Lights lights = point_lamp({0, 0, 0}, 1.0);
   const Cells cells(zone);
-  const Solution solution = solve(zone, lights, network_of(zone, {1, 1}));
-  save_lum(path, zone, cells, lights, solution, "hash");
-  auto json = nlohmann::json::parse(Hdf5Reader(path, "lum", kLumVersion).text("/description"));
-  change(json);
-  Hdf5Writer file("lum", kLumVersion);
-  store_zone(file, zone);
-  file.text("/description", json.dump());
-  file.attribute("/", "rays_hash", "hash");
-  file.dataset<double>("/bands/edge", solution.bands.edges_nm, {2}, "nm");
-  file.dataset<std::uint32_t>("/bands/class", std::vector<std::uint32_t>{0}, {1}, "1");
-  for (const char* name : {"diffuse", "ior", "extinction", "specular_reflectance"})
-    file.dataset<double>(std::string("/classes/") + name, std::vector<double>{0.5}, {1, 1}, "1");
-  file.attribute("/classes", "mean", "plain");
-  const std::vector<double> area(n_areas, 4.0);
-  file.dataset<double>("/cells/area", area, {area.size()}, "m2");
-  for (const char* name : {"direct", "total"}) {
-    file.dataset<float>(std::string("/transfer/cell_") + name, solution.cell_total, {1, 1, 6}, "lx");
-    file.dataset<float>(std::string("/transfer/point_") + name, solution.point_total, {1, 1, 0}, "lx");
-  }
-  store_spectra(file, {ShownSpectrum{}});
-  file.dataset<float>("/photometry/intensity", std::vector<float>(73 * 181, 1.0F), {1, 73, 181}, "cd");
-  std::move(file).write(path);
+  save_lum(path, zone, cells, lights, solve(zone, lights, network_of(zone, {1, 1})), "hash");
+  change(ForgedFile(path));
   return io_error([&] {
     const LuminanceDatabase database(path);
     cell_illuminance_lx(database, Mix(database.sources().size(), 1.0));
   });
+}
+
+// The same with its description changed.
+std::string described(const std::function<void(nlohmann::json&)>& change, const std::string& path) {
+  return refusal(
+      [&](const ForgedFile& file) {
+        auto json = nlohmann::json::parse(file.text("/description"));
+        change(json);
+        file.replace_text("/description", json.dump());
+      },
+      path);
 }
 
 }  // namespace
@@ -174,21 +165,69 @@ TEST_CASE("A luminance database gives back what was solved", "[result][unit]") {
   }
 }
 
-TEST_CASE("A forged luminance database is refused", "[result][unit]") {
+TEST_CASE("A forged luminance database is refused by the name of what is wrong", "[result][unit]") {
   const Folder folder;
   const std::string path = folder / "a.lum";
   using Json = nlohmann::json;
-  CHECK(refusal([](Json&) {}, path).empty());
-  CHECK_FALSE(refusal([](Json& j) { j["luminaires"][0]["source"] = 1; }, path).empty());
-  CHECK_FALSE(refusal([](Json& j) { j["luminaires"][0]["source"] = -1; }, path).empty());
-  CHECK_FALSE(refusal([](Json& j) { j["luminaires"][0]["photometry"] = 9; }, path).empty());
-  CHECK_FALSE(refusal([](Json& j) { j["luminaires"][0]["at"] = {1.0}; }, path).empty());
-  CHECK_FALSE(refusal([](Json& j) { j["photometry"][0]["mean_intensity_cd"] = {1.0, 2.0}; }, path).empty());
-  CHECK_FALSE(refusal([](Json& j) { j["sources"][0]["weights"]["y"] = Json::array(); }, path).empty());
-  CHECK_FALSE(refusal([](Json& j) { j["sources"][0]["name"] = 3; }, path).empty());
-  CHECK_FALSE(refusal([](Json& j) { j["sources"] = Json::array(); }, path).empty());
-  CHECK_FALSE(refusal([](Json& j) { j["sources"].push_back(j["sources"][0]); }, path).empty());
-  CHECK_FALSE(refusal([](Json&) {}, path, 5).empty());  // areas of five cells, irradiances of six
+  const auto names = [&](const std::string& what, const std::function<void(const ForgedFile&)>& change) {
+    const std::string refused = refusal(change, path);
+    CAPTURE(what, refused);
+    CHECK(refused.find(what) != std::string::npos);
+    CHECK(refused.find('\n') == std::string::npos);
+  };
+  CHECK(refusal([](const ForgedFile&) {}, path).empty());
+  const std::vector<double> six(6, 4.0), five(5, 4.0);
+  names("'/cells/area'", [&](auto& f) { f.replace("/cells/area", five, {5}); });
+  names("'/cells/area'", [&](auto& f) { f.replace("/cells/area", {1.0}, {}); });
+  names("element 3 is nan", [&](auto& f) {
+    f.replace("/cells/area", {4, 4, 4, std::nan(""), 4, 4}, {6});
+  });
+  names("not those of its zone", [&](auto& f) { f.replace("/cells/area", {4, 4, 4, 3, 4, 4}, {6}); });
+  names("'/cells/surface'", [&](auto& f) {
+    f.replace("/cells/surface", {0, 1, 2, 3, 4, 6}, {6}, H5T_STD_U32LE);
+  });
+  names("'/cells/surface' has 0 cells on surface", [&](auto& f) {
+    f.replace("/cells/surface", {0, 1, 2, 3, 4, 4}, {6}, H5T_STD_U32LE);
+  });
+  names("'/transfer/cell_total': element 2 is -1", [&](auto& f) {
+    f.replace("/transfer/cell_total", {1, 1, -1, 1, 1, 1}, {1, 1, 6}, H5T_IEEE_F32LE);
+  });
+  names("'/transfer/cell_total' holds float64", [&](auto& f) {
+    f.replace("/transfer/cell_total", {1, 1, 1, 1, 1, 1}, {1, 1, 6});
+  });
+  names("'/transfer/cell_total' has shape [1, 6]", [&](auto& f) {
+    f.replace("/transfer/cell_total", {1, 1, 1, 1, 1, 1}, {1, 6}, H5T_IEEE_F32LE);
+  });
+  names("'/bands/class'", [&](auto& f) { f.replace("/bands/class", {1}, {1}, H5T_STD_U32LE); });
+  names("'/bands/edge'", [&](auto& f) { f.replace("/bands/edge", {780, 380}, {2}); });
+  names("'/classes/diffuse'", [&](auto& f) { f.replace("/classes/diffuse", {1.5}, {1, 1}); });
+  names("'/classes/specular_reflectance'", [&](auto& f) {
+    f.replace("/classes/specular_reflectance", {-0.5}, {1, 1});
+  });
+  names("no dataset '/spectra/first'", [&](auto& f) { f.remove("/spectra/first"); });
+  names("'unit_m' of '/zone' is not a single value", [](auto& f) {
+    f.replace_attribute("/zone", "unit_m", 1.0, 4096);
+  });
+  names("'unit_m' of '/zone' is -1", [](auto& f) { f.replace_attribute("/zone", "unit_m", -1.0); });
+
+  const auto tells = [&](const std::string& what, const std::function<void(Json&)>& change) {
+    const std::string refused = described(change, path);
+    CAPTURE(what, refused);
+    CHECK(refused.find(what) != std::string::npos);
+  };
+  CHECK(described([](Json&) {}, path).empty());
+  tells("luminaires[0].source", [](Json& j) { j["luminaires"][0]["source"] = 1; });
+  tells("luminaires[0].source", [](Json& j) { j["luminaires"][0]["source"] = -1; });
+  tells("luminaires[0].photometry", [](Json& j) { j["luminaires"][0]["photometry"] = 9; });
+  tells("luminaires[0].at", [](Json& j) { j["luminaires"][0]["at"] = {1.0}; });
+  tells("luminaires[0] has axes", [](Json& j) { j["luminaires"][0]["aim"] = {0.0, 0.0, 2.0}; });
+  tells("mean_intensity_cd", [](Json& j) { j["photometry"][0]["mean_intensity_cd"] = {1.0, 2.0}; });
+  tells("sources[0].weights.y", [](Json& j) { j["sources"][0]["weights"]["y"] = Json::array(); });
+  tells("efficacy_lm_W", [](Json& j) { j["sources"][0]["weights"]["efficacy_lm_W"] = 0.0; });
+  tells("sources[0].flux_lm is -1", [](Json& j) { j["sources"][0]["flux_lm"] = -1.0; });
+  tells("sources[0].name", [](Json& j) { j["sources"][0]["name"] = 3; });
+  tells("source", [](Json& j) { j["sources"] = Json::array(); });
+  tells("2 sources", [](Json& j) { j["sources"].push_back(j["sources"][0]); });
 }
 
 TEST_CASE("Spectra that do not hold together are refused", "[result][unit]") {
@@ -231,7 +270,7 @@ TEST_CASE("Tables and pictures from memory are those from the file, to the bit",
   REQUIRE(solution.n_direct_classes == 3);
   REQUIRE_FALSE(solution.directional.cells.empty());
   save_lum(folder / "a.lum", zone, cells, lights, solution, "abc");
-  const LuminanceDatabase from_file(folder / "a.lum"), from_memory(zone, lights, solution);
+  const LuminanceDatabase from_file(folder / "a.lum"), from_memory(zone, cells, lights, solution);
   for (const auto part : kTransferParts) {
     for (std::size_t s = 0; s < 2; ++s) CHECK(from_file.transfer(part, s) == from_memory.transfer(part, s));
   }

@@ -187,7 +187,7 @@ names = ["b"]
   CHECK(near(east->polygon.normal(), {-1, 0, 0}));
 
   const Zone turned = read(group + "turn = 180\nabout = [3, 2]\n");
-  CHECK(near(find(turned, "b.desk.bottom")->polygon.centroid() + turned.origin_m, {4.5, 2.75, 0.2}));
+  CHECK(near(find(turned, "b.drawer.bottom")->polygon.centroid() + turned.origin_m, {4.875, 2.75, 0.1}));
   CHECK(near(find(turned, "b.pad")->polygon.centroid() + turned.origin_m, {4.8, 2.8, 0.7}));
   CHECK(area_of(turned, "b.desk.top") == Approx(area_of(turned, "desk.top")));
 

@@ -165,6 +165,7 @@ struct Forgery {
   std::vector<std::int32_t> table;
   std::vector<std::uint32_t> n_corners, n_rings;
   std::vector<double> points{0, 0, 0, 0, 0, 1};
+  std::vector<double> frame{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
 };
 
 Forgery honest() {
@@ -194,7 +195,7 @@ std::string refusal(const Forgery& f, const std::string& path) {
     const bool s = group == "surfaces";
     const std::vector<std::uint32_t> none;
     numbers(group + "/frame",
-            s ? std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1} : std::vector<double>{},
+            s ? f.frame : std::vector<double>{},
             {s ? 1u : 0u, 4, 3});
     const auto& rings = s ? f.n_rings : none;
     const auto& corners = s ? f.n_corners : none;
@@ -267,6 +268,33 @@ TEST_CASE("A forged zone is refused in one line, whatever does not hold together
   CHECK_FALSE(with([](Forgery& f) { f.n_rings = {0}; }).empty());
   CHECK_FALSE(with([](Forgery& f) { f.points.clear(); }).empty());  // the set counts one
   CHECK_FALSE(with([](Forgery& f) { f.points[1] = std::nan(""); }).empty());
+  CHECK_FALSE(with([](Forgery& f) { f.points[5] = 0.5; }).empty());           // no unit normal
+  CHECK_FALSE(with([](Forgery& f) { f.frame[3] = std::nan(""); }).empty());   // u
+  CHECK_FALSE(with([](Forgery& f) { f.frame[11] = -1.0; }).empty());          // n is not u x v
+  CHECK_FALSE(with([](Forgery& f) { f.frame[3] = 2.0; }).empty());            // not unit
+  CHECK_FALSE(table(5, 2).empty());                                           // a flag
+  const auto tells = [&](const std::string& old, const std::string& now, const std::string& what) {
+    const auto message =
+        with([&](Forgery& f) { f.description.replace(f.description.find(old), old.size(), now); });
+    CAPTURE(now, message);
+    CHECK(message.find(what) != std::string::npos);
+  };
+  tells("[[555,0.5]]", "[[380,-5.0],[780,-5.0]]", "finishes[0].diffuse[0][1] is -5, outside 0..1");
+  tells("[[555,0.5]]", "[[780,0.5],[380,0.5]]", "not in order of wavelength");
+  tells("\"specular\":0.0", "\"specular\":1.5", "finishes[0].specular is 1.5");
+  tells("\"gaussian\"", "\"other\"", "finishes[0].distribution is 'other'");
+  tells("\"opaque\"", "\"clear\"", "finishes[0].kind is 'clear'");
+  tells("\"count\":1", "\"count\":2", "point_sets[0].count is 2");
+  const std::string view = R"({"name":"v","eye":[0,0,1],"focus":[1,0,1],"up":[0,0,1],"fov_rad":1.0,"size":[64,48]})";
+  const auto seen = [&](const std::string& old, const std::string& now, const std::string& what) {
+    std::string changed = view;
+    changed.replace(changed.find(old), old.size(), now);
+    tells("\"views\":[]", "\"views\":[" + changed + "]", what);
+  };
+  seen("1.0", "7.0", "views[0].fov_rad is 7");
+  seen("[64,48]", "[64,0]", "views[0].size[1] is 0");
+  seen("[64,48]", "[64,1e9]", "views[0].size[1]");
+  seen("[1,0,1]", "[0,0,1]", "views[0] looks nowhere");
   CHECK_FALSE(with([](Forgery& f) { f.description = "{"; }).empty());
   CHECK_FALSE(with([](Forgery& f) { f.description = R"({"name":3})"; }).empty());
   CHECK_FALSE(

@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -48,6 +49,8 @@ consteval ElementType element_type() {
     }
   }
 }
+
+struct FileSchema;
 
 /// Sizes of a dataset's dimensions, the slowest first; empty for a single value.
 using Shape = std::vector<std::size_t>;
@@ -91,7 +94,7 @@ class Hdf5Writer {
     write_array(path, element_type<T>(), data.data(), data.size(), shape, unit, description);
   }
 
-  /// A list of UTF-8 strings, of variable length in the file.
+  /// A list of UTF-8 strings, in the file as long as the longest and filled up with NUL.
   /// @throws InternalError  one of them holds a NUL, which HDF5 takes for its end
   void strings(const std::string& path, const std::vector<std::string>& values);
 
@@ -135,6 +138,14 @@ class Hdf5Reader {
   const std::string& hash() const;
   std::uint64_t file_bytes() const;
 
+  /// Lays the file against the layout of its kind: types, ranks and sizes at once, values as they are read.
+  /// Every dataset read from then on must be in it.
+  /// @param schema  lives as long as the reader
+  /// @throws IoError, LimitError  as FileLayout; so do `dataset` and `read_rows` where a value is not allowed
+  void lay_against(const FileSchema& schema, std::size_t memory_limit_bytes);
+  /// A size that the layout names, as found in the file: "cells".
+  std::size_t size(std::string_view name) const;
+
   /// Whether there is a dataset or group of this path.
   bool has(const std::string& path) const;
   /// @throws IoError  no such dataset
@@ -149,6 +160,7 @@ class Hdf5Reader {
   std::vector<T> dataset(const std::string& path, const Shape& expected) const {
     std::vector<T> values(count_checked(path, expected));
     read_array(path, element_type<T>(), values.data());
+    check_values(path, std::span<const T>(values), 0);
     return values;
   }
 
@@ -159,6 +171,7 @@ class Hdf5Reader {
   template <Element T>
   void read_rows(const std::string& path, std::size_t first_row, std::size_t n_rows, std::span<T> out) const {
     read_part(path, element_type<T>(), first_row, n_rows, out.data(), out.size());
+    check_values(path, std::span<const T>(out), n_rows ? first_row * (out.size() / n_rows) : 0);
   }
 
   /// @throws IoError  no such dataset, or not a list of strings
@@ -178,6 +191,8 @@ class Hdf5Reader {
   void read_array(const std::string& path, ElementType type, void* out) const;
   void read_part(const std::string& path, ElementType type, std::size_t first_row, std::size_t n_rows,
                  void* out, std::size_t n_elements) const;
+  template <Element T>
+  void check_values(const std::string& path, std::span<const T> values, std::size_t first) const;
   std::unique_ptr<Impl> impl_;
 };
 

@@ -77,6 +77,15 @@ std::string foreign_in_words(std::string_view start) {
   throw IoError(path, "is altered or damaged: its header does not match its own checksum");
 }
 
+std::string other_version(const FileHeader& header, FormatVersions versions) {
+  const bool older = header.version < versions.oldest;
+  const std::string by = header.program.empty() ? "" : " by DIM " + header.program;
+  return fmt::format("written{} in format {}, this program reads {}; {}", by, header.version,
+                     in_words(versions),
+                     older ? "make it again with this " + maker_of(header.kind)
+                           : "use that version of DIM or a newer one");
+}
+
 }  // namespace
 
 std::array<char, kHeader_bytes> make_header(const FileHeader& header) {
@@ -86,6 +95,7 @@ std::array<char, kHeader_bytes> make_header(const FileHeader& header) {
   }
   std::string text = fmt::format("{}kind {}\nversion {}\nsize {}\nxxh128 {}\n", kMagic, header.kind,
                                  header.version, header.file_bytes, header.body_hash);
+  if (!header.program.empty()) text += "program " + header.program + "\n";
   text += seal_line(text);
   std::array<char, kHeader_bytes> block = {};
   std::ranges::copy(text, block.begin());
@@ -113,10 +123,9 @@ FileHeader parse_header(const std::string& path, std::span<const char> start, st
   const auto version = number<int>(field(*text, "version"));
   if (!version) throw_altered(path);
   header.version = *version;
-  if (header.version > versions.newest) {
-    throw IoError(path, fmt::format("written by format {}, this program reads {}", header.version,
-                                    in_words(versions)));
-  }
+  header.program = field(*text, "program");
+  if (header.version < versions.oldest || header.version > versions.newest)
+    throw IoError(path, other_version(header, versions));
   const auto size = number<std::uint64_t>(field(*text, "size"));
   header.body_hash = field(*text, "xxh128");
   if (!size || *size <= kHeader_bytes || header.body_hash.size() != kHashDigits) throw_altered(path);

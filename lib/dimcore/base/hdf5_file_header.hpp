@@ -19,6 +19,7 @@ struct FileHeader {
   int version = 0;               ///< of the format of this kind, >= 1
   std::uint64_t file_bytes = 0;  ///< the whole file, this header included
   std::string body_hash;         ///< XXH3 128-bit of everything after the header, 32 lower-case hex digits
+  std::string program = {};      ///< version of DIM that wrote it; empty in files of the first versions
 };
 
 /// The formats of a kind that a program reads.

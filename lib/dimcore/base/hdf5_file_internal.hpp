@@ -46,8 +46,6 @@ hid_t file_type(ElementType type);
 hid_t memory_type(ElementType type);
 const char* name_of(ElementType type);
 
-/// UTF-8 text of variable length, as h5py writes it.
-Handle string_type();
 /// UTF-8 text of exactly `n_bytes` >= 1.
 Handle fixed_string_type(std::size_t n_bytes);
 

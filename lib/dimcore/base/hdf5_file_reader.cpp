@@ -1,13 +1,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
+#include <cstring>
 #include <numeric>
 #include <optional>
 
+#include "base/file_layout.hpp"
 #include "base/hdf5_file.hpp"
 #include "base/hdf5_file_internal.hpp"
+#include "base/hdf5_file_structure.hpp"
 #include "base/hdf5_file_verify.hpp"
+#include "base/input_file.hpp"
 
 namespace dim {
 
@@ -66,6 +69,7 @@ struct Hdf5Reader::Impl {
   std::string path;
   VerifiedFile content;  // before `file`, which may read from its memory until it is closed
   Handle file;
+  std::optional<FileLayout> layout;
 
   [[noreturn]] void fail(const std::string& what) const { throw IoError(path, what); }
   bool has(const std::string& object) const;
@@ -115,25 +119,26 @@ Handle Hdf5Reader::Impl::open_attribute(const std::string& object, const std::st
                        : H5I_INVALID_HID,
                    H5Aclose);
   if (!attribute) fail("holds no attribute '" + name + "' of '" + object + "'");
+  // One value goes into the room of one.
+  const Handle space(H5Aget_space(attribute.get()), H5Sclose);
+  if (H5Sget_simple_extent_type(space.get()) != H5S_SCALAR)
+    fail("attribute '" + name + "' of '" + object + "' is not a single value");
   return attribute;
 }
 
 Hdf5Reader::Hdf5Reader(const std::string& path, const std::string& expected_kind, int max_version,
                        const Job& job, int min_version)
     : impl_(std::make_unique<Impl>()) {
-  impl_->path = path;
+  impl_->path = name_for_messages(path);
   impl_->content = verify_file(path, expected_kind, {min_version, max_version}, job);
   hdf5::silence();
   impl_->file = open_verified(path, impl_->content);
+  hdf5::check_structure(impl_->file, impl_->path, impl_->content.header.file_bytes);
   const FileHeader& header = impl_->content.header;
   if (text_attribute("/", "dim_format") != header.kind ||
       integer_attribute("/", "dim_version") != header.version) {
     impl_->fail("is altered: its header and its content say different formats");
   }
-  if (header.version < min_version)
-    impl_->fail(fmt::format("written in format {} by DIM {}, this program reads {}; make it again with this {}",
-                            header.version, text_attribute("/", "dim_program"),
-                            in_words({min_version, max_version}), maker_of(header.kind)));
 }
 
 Hdf5Reader::~Hdf5Reader() = default;
@@ -204,18 +209,18 @@ std::vector<std::string> Hdf5Reader::strings(const std::string& path) const {
   const std::size_t n = count_checked(path, {kAnySize});
   const Handle set = impl_->open_dataset(path);
   const Handle stored(H5Dget_type(set.get()), H5Tclose);
-  if (H5Tis_variable_str(stored.get()) <= 0) impl_->fail("dataset '" + path + "' is no list of strings");
+  if (H5Tget_class(stored.get()) != H5T_STRING || H5Tis_variable_str(stored.get()) != 0)
+    impl_->fail("dataset '" + path + "' is no list of strings");
+  const std::size_t width = H5Tget_size(stored.get());
+  if (n > file_bytes() / width) impl_->fail("dataset '" + path + "' is larger than the file");
   std::vector<std::string> values(n);
-  if (n == 0) return values;
-  const Handle type = hdf5::string_type();
-  const Handle space(H5Dget_space(set.get()), H5Sclose);
-  std::vector<char*> pointers(n, nullptr);
-  void* raw = static_cast<void*>(pointers.data());
-  if (H5Dread(set.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, raw) < 0) {
+  std::vector<char> bytes(n * width);
+  if (n > 0 && H5Dread(set.get(), stored.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()) < 0)
     impl_->fail("dataset '" + path + "' cannot be read" + hdf5::reason());
+  for (std::size_t i = 0; i < n; ++i) {
+    const char* value = bytes.data() + i * width;
+    values[i].assign(value, strnlen(value, width));
   }
-  std::ranges::transform(pointers, values.begin(), [](const char* p) { return std::string(p ? p : ""); });
-  H5Dvlen_reclaim(type.get(), space.get(), H5P_DEFAULT, raw);
   return values;
 }
 
@@ -236,6 +241,29 @@ std::string Hdf5Reader::text(const std::string& path) const {
   return value;
 }
 
+void Hdf5Reader::lay_against(const FileSchema& schema, std::size_t memory_limit_bytes) {
+  impl_->layout.emplace(*this, schema, impl_->path, memory_limit_bytes);
+}
+
+std::size_t Hdf5Reader::size(std::string_view name) const {
+  if (!impl_->layout) throw InternalError("a size is asked of a file that was laid against no schema");
+  return impl_->layout->size(name);
+}
+
+template <Element T>
+void Hdf5Reader::check_values(const std::string& path, std::span<const T> values, std::size_t first) const {
+  if (impl_->layout) impl_->layout->check(path, values, first);
+}
+
+template void Hdf5Reader::check_values(const std::string&, std::span<const std::uint8_t>, std::size_t) const;
+template void Hdf5Reader::check_values(const std::string&, std::span<const std::uint16_t>, std::size_t) const;
+template void Hdf5Reader::check_values(const std::string&, std::span<const std::uint32_t>, std::size_t) const;
+template void Hdf5Reader::check_values(const std::string&, std::span<const std::uint64_t>, std::size_t) const;
+template void Hdf5Reader::check_values(const std::string&, std::span<const std::int32_t>, std::size_t) const;
+template void Hdf5Reader::check_values(const std::string&, std::span<const std::int64_t>, std::size_t) const;
+template void Hdf5Reader::check_values(const std::string&, std::span<const float>, std::size_t) const;
+template void Hdf5Reader::check_values(const std::string&, std::span<const double>, std::size_t) const;
+
 bool Hdf5Reader::has_attribute(const std::string& path, const std::string& name) const {
   return has(path) && H5Aexists_by_name(impl_->file.get(), path.c_str(), name.c_str(), H5P_DEFAULT) > 0;
 }
@@ -243,13 +271,12 @@ bool Hdf5Reader::has_attribute(const std::string& path, const std::string& name)
 std::string Hdf5Reader::text_attribute(const std::string& path, const std::string& name) const {
   const Handle attribute = impl_->open_attribute(path, name);
   const Handle stored(H5Aget_type(attribute.get()), H5Tclose);
-  char* value = nullptr;
-  if (H5Tis_variable_str(stored.get()) <= 0 ||
-      H5Aread(attribute.get(), hdf5::string_type().get(), static_cast<void*>(&value)) < 0) {
+  const std::size_t width = H5Tget_size(stored.get());
+  const bool is_text = H5Tget_class(stored.get()) == H5T_STRING && H5Tis_variable_str(stored.get()) == 0;
+  std::string text(is_text && width <= file_bytes() ? width : 0, '\0');
+  if (text.empty() || H5Aread(attribute.get(), stored.get(), text.data()) < 0)
     impl_->fail("attribute '" + name + "' of '" + path + "' is no text");
-  }
-  std::string text = value ? value : "";
-  H5free_memory(value);
+  text.resize(strnlen(text.data(), text.size()));
   return text;
 }
 

@@ -64,8 +64,7 @@ struct Hdf5Writer::Impl {
   Handle datasets = timeless(H5P_DATASET_CREATE);
 
   void make_group(const std::string& path) const;
-  /// Arrays need no filling with zeros before they are written; HDF5 wants it for strings of variable length.
-  Handle make_dataset(const std::string& path, hid_t type, const Handle& space, H5D_fill_time_t fill) const;
+  Handle make_dataset(const std::string& path, hid_t type, const Handle& space) const;
   void write_attribute(hid_t object, const std::string& path, const std::string& name, hid_t type,
                        const void* value) const;
   void write_text_attribute(hid_t object, const std::string& path, const std::string& name,
@@ -82,14 +81,12 @@ void Hdf5Writer::Impl::make_group(const std::string& path) const {
   }
 }
 
-Handle Hdf5Writer::Impl::make_dataset(const std::string& path, hid_t type, const Handle& space,
-                                      H5D_fill_time_t fill) const {
+Handle Hdf5Writer::Impl::make_dataset(const std::string& path, hid_t type, const Handle& space) const {
   if (path.size() < 2 || path.front() != '/' || path.back() == '/') {
     throw InternalError("dataset '" + path + "': its path must read /group/name");
   }
   require(bool(space), path);
   make_group(path.substr(0, path.rfind('/')));
-  H5Pset_fill_time(datasets.get(), fill);
   Handle set(
       H5Dcreate2(file.get(), path.c_str(), type, space.get(), links.get(), datasets.get(), H5P_DEFAULT),
       H5Dclose);
@@ -107,8 +104,10 @@ void Hdf5Writer::Impl::write_attribute(hid_t object, const std::string& path, co
 void Hdf5Writer::Impl::write_text_attribute(hid_t object, const std::string& path, const std::string& name,
                                             const std::string& value) const {
   if (value.find('\0') != std::string::npos) throw InternalError("'" + path + "@" + name + "' holds a NUL");
-  const char* text = value.c_str();
-  write_attribute(object, path, name, hdf5::string_type().get(), static_cast<const void*>(&text));
+  const std::size_t width = std::max<std::size_t>(value.size(), 1);
+  std::string padded = value;
+  padded.resize(width, '\0');
+  write_attribute(object, path, name, hdf5::fixed_string_type(width).get(), padded.data());
 }
 
 /// The whole file as the core driver holds it, its first bytes the still empty user block.
@@ -127,6 +126,7 @@ Hdf5Writer::Hdf5Writer(const std::string& kind, int version) : impl_(std::make_u
   impl_->kind = kind;
   impl_->version = version;
   H5Pset_layout(impl_->datasets.get(), H5D_CONTIGUOUS);
+  H5Pset_fill_time(impl_->datasets.get(), H5D_FILL_TIME_NEVER);  // all of it is written at once
 
   const Handle creation = timeless(H5P_FILE_CREATE);
   H5Pset_userblock(creation.get(), kHeader_bytes);
@@ -182,7 +182,7 @@ void Hdf5Writer::write_array(const std::string& path, ElementType type, const vo
     throw InternalError(fmt::format("dataset '{}': {} elements do not fill {}", path, n_elements,
                                     hdf5::shape_in_words(shape)));
   }
-  const Handle set = impl_->make_dataset(path, hdf5::file_type(type), dataspace(shape), H5D_FILL_TIME_NEVER);
+  const Handle set = impl_->make_dataset(path, hdf5::file_type(type), dataspace(shape));
   if (n_elements > 0 &&
       H5Dwrite(set.get(), hdf5::memory_type(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0) {
     const std::size_t size = n_elements * H5Tget_size(hdf5::memory_type(type));
@@ -194,17 +194,16 @@ void Hdf5Writer::write_array(const std::string& path, ElementType type, const vo
 }
 
 void Hdf5Writer::strings(const std::string& path, const std::vector<std::string>& values) {
-  std::vector<const char*> pointers;
-  pointers.reserve(values.size());
+  std::size_t width = 1;  // HDF5 has no strings of no length
   for (const auto& value : values) {
     if (value.find('\0') != std::string::npos) throw InternalError("'" + path + "' holds a NUL");
-    pointers.push_back(value.c_str());
+    width = std::max(width, value.size());
   }
-  const Handle type = hdf5::string_type();
-  const Handle set = impl_->make_dataset(path, type.get(), dataspace({values.size()}), H5D_FILL_TIME_IFSET);
-  require(pointers.empty() || H5Dwrite(set.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT,
-                                       static_cast<const void*>(pointers.data())) >= 0,
-          path);
+  std::vector<char> bytes(values.size() * width, '\0');
+  for (std::size_t i = 0; i < values.size(); ++i) std::ranges::copy(values[i], bytes.begin() + static_cast<std::ptrdiff_t>(i * width));
+  const Handle type = hdf5::fixed_string_type(width);
+  const Handle set = impl_->make_dataset(path, type.get(), dataspace({values.size()}));
+  require(bytes.empty() || H5Dwrite(set.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()) >= 0, path);
   impl_->write_text_attribute(set.get(), path, "unit", "1");
 }
 
@@ -212,7 +211,7 @@ void Hdf5Writer::text(const std::string& path, const std::string& value) {
   // HDF5 has no string type of no length; an empty text is a dataset without a value.
   const Handle type = hdf5::fixed_string_type(std::max<std::size_t>(value.size(), 1));
   const Handle space(H5Screate(value.empty() ? H5S_NULL : H5S_SCALAR), H5Sclose);
-  const Handle set = impl_->make_dataset(path, type.get(), space, H5D_FILL_TIME_NEVER);
+  const Handle set = impl_->make_dataset(path, type.get(), space);
   require(value.empty() || H5Dwrite(set.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, value.data()) >= 0,
           path);
   impl_->write_text_attribute(set.get(), path, "unit", "1");
@@ -224,7 +223,7 @@ std::string Hdf5Writer::write(const std::string& path, const Job& job) && {
   BodyHash hash;
   hash.add(image.subspan(kHeader_bytes));
   std::string hex = hash.hex();
-  const auto header = make_header({impl_->kind, impl_->version, image.size(), hex});
+  const auto header = make_header({impl_->kind, impl_->version, image.size(), hex, dim::version()});
   // The user block of the image is ours to fill, which spares a copy of the image.
   std::ranges::copy(std::as_bytes(std::span(header)), image.begin());
   file.write(image);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/file_layout.hpp"
 #include "base/hdf5_file.hpp"
 #include "network/network.hpp"
 
@@ -14,6 +15,10 @@ struct RaysFile {
   Network network;
   std::string hash;  ///< of the file's content
 };
+
+/// What the file holds of cells, and all that a `.rays` file holds.
+FileSchema cells_schema();
+const FileSchema& rays_schema();
 
 /// Puts the cells' surfaces, areas, centroids and outlines into a file under `/cells`.
 void store_cells(Hdf5Writer& file, const Zone& zone, const Cells& cells);

@@ -54,8 +54,10 @@ IntensityTable shown_intensity(const std::vector<float>& intensity_cd) {
   return IntensityTable(grid);
 }
 
-ResultContent content_of(const Zone& zone, const Lights& lights, const Solution& solution) {
+ResultContent content_of(const Zone& zone, const Cells& cells, const Lights& lights,
+                         const Solution& solution) {
   ResultContent content;
+  content.cells = cells;
   content.zone = zone;
   content.bands = solution.bands;
   content.classes = solution.classes;
@@ -76,7 +78,6 @@ ResultContent content_of(const Zone& zone, const Lights& lights, const Solution&
   }
   content.off_specular = solution.directional.cells;
   content.directional_grid = solution.directional.grid;
-  content.n_cells = solution.n_cells;
   content.n_direct_classes = solution.n_direct_classes;
   return content;
 }

@@ -59,12 +59,12 @@ struct ResultContent {
   std::vector<IntensityTable> intensities;
   std::vector<std::uint32_t> off_specular;  ///< cells with a lobe, ascending
   PatchGrid directional_grid;
-  std::size_t n_cells = 0;
+  Cells cells;
   std::size_t n_direct_classes = 1;
 };
 
 /// @throws InternalError  a luminaire that belongs to no source
-ResultContent content_of(const Zone& zone, const Lights& lights, const Solution& solution);
+ResultContent content_of(const Zone& zone, const Cells& cells, const Lights& lights, const Solution& solution);
 
 /// Intensities on the grid of directions, C slowest, as a table.
 IntensityTable shown_intensity(const std::vector<float>& intensity_cd);

@@ -30,8 +30,9 @@ LuminanceDatabase::LuminanceDatabase(const std::string& path, const Job& job) {
   rays_hash_ = std::move(file.rays_hash);
 }
 
-LuminanceDatabase::LuminanceDatabase(const Zone& zone, const Lights& lights, Solution solution)
-    : content_(content_of(zone, lights, solution)),
+LuminanceDatabase::LuminanceDatabase(const Zone& zone, const Cells& cells, const Lights& lights,
+                                     Solution solution)
+    : content_(content_of(zone, cells, lights, solution)),
       light_(std::make_unique<InMemory>(std::move(solution))) {}
 
 std::vector<float> LuminanceDatabase::transfer(TransferPart part, std::size_t source) const {

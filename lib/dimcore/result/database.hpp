@@ -17,7 +17,7 @@ class LuminanceDatabase {
   /// @throws IoError  missing, damaged, foreign, older or newer file
   explicit LuminanceDatabase(const std::string& path, const Job& job = {});
   /// @throws InternalError  a luminaire that belongs to no source
-  LuminanceDatabase(const Zone& zone, const Lights& lights, Solution solution);
+  LuminanceDatabase(const Zone& zone, const Cells& cells, const Lights& lights, Solution solution);
 
   const Zone& zone() const { return content_.zone; }
   const Bands& bands() const { return content_.bands; }
@@ -32,7 +32,8 @@ class LuminanceDatabase {
   /// Of the file's content; empty in memory.
   const std::string& hash() const { return hash_; }
   const std::string& rays_hash() const { return rays_hash_; }
-  std::size_t n_cells() const { return content_.n_cells; }
+  const Cells& cells() const { return content_.cells; }
+  std::size_t n_cells() const { return content_.cells.size(); }
   /// Cells that also reflect by a lobe, ascending, and the grid of its patches.
   const std::vector<std::uint32_t>& off_specular_cells() const { return content_.off_specular; }
   const PatchGrid& directional_grid() const { return content_.directional_grid; }

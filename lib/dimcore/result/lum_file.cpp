@@ -1,9 +1,11 @@
 #include "result/lum_file.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
-#include "base/hdf5_file.hpp"
+#include "base/file_layout.hpp"
 #include "network/network_storage.hpp"
 #include "result/lum_description.hpp"
 #include "result/spectra_storage.hpp"
@@ -34,9 +36,9 @@ const char* dataset_of(TransferPart part) {
 Shape shape_of(const ResultContent& content, TransferPart part) {
   switch (part) {
     case TransferPart::cell_direct:
-      return {content.n_direct_classes, content.n_cells};
+      return {content.n_direct_classes, content.cells.size()};
     case TransferPart::cell_total:
-      return {content.classes.size(), content.n_cells};
+      return {content.classes.size(), content.cells.size()};
     case TransferPart::point_direct:
       return {content.n_direct_classes, content.zone.points.size()};
     case TransferPart::point_total:
@@ -95,28 +97,33 @@ void store_bands(Hdf5Writer& file, const ResultContent& content) {
   file.attribute("/classes", "mean", classes.luminous ? "luminous" : "plain");
 }
 
-void load_bands(const Hdf5Reader& file, ResultContent& content) {
+void load_bands(const Hdf5Reader& file, const std::string& path, ResultContent& content) {
   content.bands.edges_nm = file.dataset<double>("/bands/edge", {kAnySize});
-  if (content.bands.edges_nm.size() < 2) throw std::out_of_range("bands");
+  const auto& edges = content.bands.edges_nm;
+  const auto not_after = [](double a, double b) { return !(a < b); };
+  if (edges.size() < 2 || std::adjacent_find(edges.begin(), edges.end(), not_after) != edges.end())
+    throw IoError(path, "dataset '/bands/edge': wavelengths do not ascend");
   const auto of_band = file.dataset<std::uint32_t>("/bands/class", {content.bands.size()});
   auto& classes = content.classes;
   classes.of_band.assign(of_band.begin(), of_band.end());
   classes.luminous = file.text_attribute("/classes", "mean") == "luminous";
   const std::size_t n_finishes = content.zone.finishes.size();
-  const Shape shape{kAnySize, n_finishes};
+  const Shape shape{file.size("classes"), n_finishes};
   const auto diffuse = file.dataset<double>("/classes/diffuse", shape),
              ior = file.dataset<double>("/classes/ior", shape),
              extinction = file.dataset<double>("/classes/extinction", shape),
              constant = file.dataset<double>("/classes/specular_reflectance", shape);
   for (std::size_t i = 0; i < diffuse.size(); ++i) {
     if (i % n_finishes == 0) classes.of_finish.emplace_back();
-    BandReflection reflection{diffuse.at(i), content.zone.finishes[i % n_finishes].specular, ior.at(i),
-                              extinction.at(i), {}};
-    if (constant.at(i) != kFresnel) reflection.constant = constant[i];
+    BandReflection reflection{diffuse[i], content.zone.finishes[i % n_finishes].specular, ior[i],
+                              extinction[i], {}};
+    if (constant[i] != kFresnel) reflection.constant = constant[i];
+    if (constant[i] > 1.0 || (constant[i] < 0.0 && constant[i] != kFresnel))
+      throw IoError(path, fmt::format("dataset '/classes/specular_reflectance': element {} is {:g}, neither {:g} "
+                                      "nor within 0..1",
+                                      i, constant[i], kFresnel));
     classes.of_finish.back().push_back(reflection);
   }
-  for (const auto q : classes.of_band)
-    if (q >= classes.size()) throw std::out_of_range("class");
 }
 
 void store_photometry(Hdf5Writer& file, const ResultContent& content) {
@@ -133,39 +140,29 @@ void load_photometry(const Hdf5Reader& file, ResultContent& content) {
   for (auto& p : content.photometry) {
     p.intensity_cd.assign(from, from + kShownPlanes * kShownGammas);
     from += kShownPlanes * kShownGammas;
-    if (!std::all_of(p.intensity_cd.begin(), p.intensity_cd.end(), [](float cd) { return cd >= 0.0F; }))
-      throw std::out_of_range("intensity");
     content.intensities.push_back(shown_intensity(p.intensity_cd));
   }
 }
 
-void load_directional(const Hdf5Reader& file, ResultContent& content) {
-  if (!file.has("/directional/cells")) return;
+void load_directional(const Hdf5Reader& file, const std::string& path, ResultContent& content) {
+  if (!file.has("/directional")) return;
   content.directional_grid = {static_cast<int>(file.integer_attribute("/directional", "slices")),
                               static_cast<int>(file.integer_attribute("/directional", "sectors"))};
-  if (content.directional_grid.n_slices < 1 || content.directional_grid.n_sectors < 1)
-    throw std::out_of_range("directional");
   content.off_specular = file.dataset<std::uint32_t>("/directional/cells", {kAnySize});
-  for (std::size_t i = 0; i < content.off_specular.size(); ++i) {
-    if (content.off_specular[i] >= content.n_cells ||
-        (i > 0 && content.off_specular[i] <= content.off_specular[i - 1]))
-      throw std::out_of_range("directional");
-  }
+  const auto not_after = [](std::uint32_t a, std::uint32_t b) { return a >= b; };
+  if (std::adjacent_find(content.off_specular.begin(), content.off_specular.end(), not_after) !=
+      content.off_specular.end())
+    throw IoError(path, "dataset '/directional/cells' does not ascend");
 }
 
+// Reads row by row from the file, whose layout was checked.
 class OnDisk : public TransferStore {
  public:
-  OnDisk(Hdf5Reader file, std::string path, const ResultContent& content)
-      : file_(std::move(file)), path_(std::move(path)) {
+  OnDisk(Hdf5Reader file, const ResultContent& content) : file_(std::move(file)) {
     for (const auto part : kTransferParts) {
-      Shape shape = shape_of(content, part);
-      std::size_t& n = n_of_source_[static_cast<std::size_t>(part)];
-      n = 1;
-      for (const std::size_t size : shape) n *= size;
-      if (is_lobe(part) && content.off_specular.empty()) continue;
-      shape.insert(shape.begin(), content.sources.size());
-      if (file_.shape(dataset_of(part)) != shape)
-        throw IoError(path_, std::string("dataset '") + dataset_of(part) + "' has another shape than it should");
+      std::size_t n = 1;
+      for (const std::size_t size : shape_of(content, part)) n *= size;
+      n_of_source_[static_cast<std::size_t>(part)] = n;
     }
   }
 
@@ -177,15 +174,67 @@ class OnDisk : public TransferStore {
 
  private:
   Hdf5Reader file_;
-  std::string path_;
   std::size_t n_of_source_[std::size(kTransferParts)] = {};
 };
 
+// What other datasets say must be what the description says.
+void check_counts(const Hdf5Reader& file, const std::string& path, const ResultContent& content) {
+  const auto same = [&](const char* what, std::size_t described, const char* size) {
+    if (described != file.size(size))
+      throw IoError(path, fmt::format("'/description' holds {} {}, the datasets {}", described, what, file.size(size)));
+  };
+  same("sources", content.sources.size(), "sources");
+  same("photometries", content.photometry.size(), "photometries");
+  same("finishes", content.zone.finishes.size(), "finishes");
+  const std::size_t n = file.size("direct_classes");
+  if (n != 1 && n != content.classes.size())
+    throw IoError(path, fmt::format("dataset '/transfer/cell_direct' has {} classes, expected 1 or {}", n,
+                                    content.classes.size()));
+}
+
 }  // namespace
+
+const FileSchema& lum_schema() {
+  static const FileSchema schema = [] {
+    FileSchema lum = zone_schema();
+    lum.add(cells_schema());
+    FileSchema result;
+    result.attributes = {{"/", "rays_hash", AttributeType::text},
+                         {"/classes", "mean", AttributeType::text},
+                         {"/directional", "slices", AttributeType::integer, 1, 1e7, true},
+                         {"/directional", "sectors", AttributeType::integer, 1, 1e7, true}};
+    result.datasets = {
+        {"/description", "text", ""},
+        {"/classes/diffuse", "float64", "classes, finishes", "1", Allowed::share},
+        {"/classes/ior", "float64", "classes, finishes", "1", Allowed::not_negative},
+        {"/classes/extinction", "float64", "classes, finishes", "1", Allowed::not_negative},
+        {"/classes/specular_reflectance", "float64", "classes, finishes", "1", Allowed::finite},
+        {"/bands/class", "uint32", "bands", "1", Allowed::index, "classes"},
+        {"/bands/edge", "float64", "bands+1", "nm", Allowed::positive},
+        {"/transfer/cell_total", "float32", "sources, classes, cells", "lx", Allowed::not_negative, {}, false, true},
+        {"/transfer/cell_direct", "float32", "sources, direct_classes, cells", "lx", Allowed::not_negative, {},
+         false, true},
+        {"/transfer/point_total", "float32", "sources, classes, points", "lx", Allowed::not_negative, {}, false,
+         true},
+        {"/transfer/point_direct", "float32", "sources, direct_classes, points", "lx", Allowed::not_negative, {},
+         false, true},
+        {"/directional/cells", "uint32", "lobe_cells", "1", Allowed::index, "cells", true},
+        {"/directional/total", "float32", "sources, classes, lobe_cells, slices*sectors", "cd/m2",
+         Allowed::not_negative, {}, true, true},
+        {"/directional/direct", "float32", "sources, classes, lobe_cells, slices*sectors", "cd/m2",
+         Allowed::not_negative, {}, true, true},
+        {"/photometry/intensity", "float32", "photometries, 73, 181", "cd", Allowed::not_negative},
+        {"/spectra/of_source", "uint32", "sources", "1", Allowed::index, "spectra"},
+        {"/spectra/first", "uint64", "spectra+1"},
+        {"/spectra/point", "float64", "spectrum_points, 2", "nm, 1", Allowed::not_negative}};
+    return lum.add(result);
+  }();
+  return schema;
+}
 
 std::string save_lum(const std::string& path, const Zone& zone, const Cells& cells, const Lights& lights,
                      const Solution& solution, const std::string& rays_hash, const Job& job) {
-  const ResultContent content = content_of(zone, lights, solution);
+  const ResultContent content = content_of(zone, cells, lights, solution);
   Hdf5Writer file("lum", kLumVersion);
   store_zone(file, zone);
   file.text("/description", description_of(content));
@@ -200,25 +249,21 @@ std::string save_lum(const std::string& path, const Zone& zone, const Cells& cel
 
 LumFile load_lum(const std::string& path, const Job& job) {
   Hdf5Reader file(path, "lum", kLumVersion, job, kLumVersion);
+  file.lay_against(lum_schema(), job.memory_limit_bytes);
   LumFile lum;
   ResultContent& content = lum.content;
   content.zone = load_zone(file, path);
+  content.cells = load_cells(file, content.zone, path, job);
   lum.hash = file.hash();
   lum.rays_hash = file.text_attribute("/", "rays_hash");
-  try {
-    content.n_cells = file.shape("/cells/area").at(0);
-    load_bands(file, content);
-    read_description(file.text("/description"), path, content);
-    load_spectra(file, path, content.spectra);
-    load_photometry(file, content);
-    load_directional(file, content);
-    content.n_direct_classes = file.shape("/transfer/cell_direct").at(1);
-    if (content.n_direct_classes != 1 && content.n_direct_classes != content.classes.size())
-      throw std::out_of_range("direct classes");
-  } catch (const std::out_of_range&) {
-    throw IoError(path, "this luminance database does not hold together");
-  }
-  lum.light = std::make_unique<OnDisk>(std::move(file), path, content);
+  load_bands(file, path, content);
+  read_description(file.text("/description"), path, content);
+  check_counts(file, path, content);
+  load_spectra(file, path, content.spectra);
+  load_photometry(file, content);
+  load_directional(file, path, content);
+  content.n_direct_classes = file.size("direct_classes");
+  lum.light = std::make_unique<OnDisk>(std::move(file), content);
   return lum;
 }
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "base/file_layout.hpp"
 #include "base/job.hpp"
 #include "result/content.hpp"
 #include "result/transfer.hpp"
@@ -10,6 +11,9 @@
 namespace dim {
 
 inline constexpr int kLumVersion = 2;
+
+/// All that a `.lum` file holds.
+const FileSchema& lum_schema();
 
 /// Writes a luminance database (`.lum`), whole or not at all; `-` is standard output. Layout:
 /// docs/formats.md.

@@ -1,5 +1,7 @@
 #include "result/spectra_storage.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 
@@ -17,7 +19,7 @@ SpectralCurve curve_from(const std::vector<double>& values, std::size_t first, s
   const auto not_power = [](const auto& point) { return !(point.second >= 0.0); };
   if (points.empty() || std::adjacent_find(points.begin(), points.end(), not_after) != points.end() ||
       std::any_of(points.begin(), points.end(), not_power))
-    throw IoError(path, "a source spectrum in this luminance database does not hold together");
+    throw IoError(path, fmt::format("dataset '/spectra/point': points {} to {} are no spectrum", first, last));
   return SpectralCurve(std::move(points));
 }
 
@@ -49,11 +51,11 @@ void load_spectra(const Hdf5Reader& file, const std::string& path, std::vector<S
   const auto first = file.dataset<std::uint64_t>("/spectra/first", {kAnySize});
   const auto values = file.dataset<double>("/spectra/point", {kAnySize, 2});
   if (!std::is_sorted(first.begin(), first.end()) || (!first.empty() && first.back() > values.size() / 2))
-    throw IoError(path, "the source spectra in this luminance database do not hold together");
+    throw IoError(path, fmt::format("dataset '/spectra/first' does not ascend to at most {}", values.size() / 2));
   for (std::size_t s = 0; s < spectra.size(); ++s) {
     const std::uint32_t i = of_source[s];
     if (i + std::size_t{1} >= first.size())
-      throw IoError(path, "the source spectra in this luminance database do not hold together");
+      throw IoError(path, fmt::format("dataset '/spectra/of_source': element {} is {}, no spectrum", s, i));
     spectra[s].curve = curve_from(values, first[i], first[i + 1], path);
   }
 }

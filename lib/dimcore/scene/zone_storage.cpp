@@ -1,12 +1,20 @@
 #include "scene/zone_storage.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
+
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
+
+#include "base/json_entry.hpp"
 
 namespace dim {
 namespace {
 
 using Json = nlohmann::json;
+
+const std::string kDescription = "/zone/description";
+constexpr int kMostPixels = 32768;  // of a side of a picture
 
 // Polygons packed one after the other: frames, rings per polygon, corners per ring.
 struct PackedPolygons {
@@ -43,41 +51,86 @@ void store_polygons(Hdf5Writer& file, const std::string& group, const PackedPoly
   store("vertex", packed.vertex_m, {packed.vertex_m.size() / 3, 3}, "m", "corners in the zone file's axes");
 }
 
-std::vector<Polygon> load_polygons(const Hdf5Reader& file, const std::string& group) {
+// Light is carried by dot products with these: unit axes, right-handed.
+void check_frame(const Frame& frame, const std::string& dataset, std::size_t i, const std::string& path) {
+  constexpr double kRounding = 1e-9;
+  const bool good = std::abs(glm::dot(frame.u, frame.u) - 1.0) <= kRounding &&
+                    std::abs(glm::dot(frame.v, frame.v) - 1.0) <= kRounding &&
+                    std::abs(glm::dot(frame.u, frame.v)) <= kRounding &&
+                    glm::length(frame.n - glm::cross(frame.u, frame.v)) <= kRounding;
+  if (!good)
+    throw IoError(path, fmt::format("dataset '{}': the axes of polygon {} are not unit vectors with n = u x v",
+                                    dataset, i));
+}
+
+// Cuts one list of the file, by counts, into another's elements.
+class Reel {
+ public:
+  Reel(const std::string& dataset, std::size_t n, const std::string& path)
+      : dataset_(dataset), n_(n), path_(path) {}
+  std::size_t next(std::size_t count) {
+    if (count > n_ - at_)
+      throw IoError(path_, fmt::format("dataset '{}' has {} elements, others ask for more", dataset_, n_));
+    return std::exchange(at_, at_ + count);
+  }
+  void finish() const {
+    if (at_ != n_)
+      throw IoError(path_, fmt::format("dataset '{}' has {} elements, others ask for {}", dataset_, n_, at_));
+  }
+
+ private:
+  std::string dataset_;
+  std::size_t n_, at_ = 0;
+  const std::string& path_;
+};
+
+std::vector<Polygon> load_polygons(const Hdf5Reader& file, const std::string& group, const std::string& path) {
   const auto frames = file.dataset<double>(group + "frame", {kAnySize, 4, 3});
   const auto n_rings = file.dataset<std::uint32_t>(group + "n_rings", {frames.size() / 12});
   const auto n_corners = file.dataset<std::uint32_t>(group + "n_corners", {kAnySize});
   const auto local = file.dataset<double>(group + "corner_uv", {kAnySize, 2});
+  Reel rings_left(group + "n_corners", n_corners.size(), path),
+      corners_left(group + "corner_uv", local.size() / 2, path);
   std::vector<Polygon> polygons;
-  std::size_t ring_at = 0, corner_at = 0;
   for (std::size_t i = 0; i < n_rings.size(); ++i) {
     const auto axis = [&](std::size_t k) {
       return Vec3(frames[i * 12 + k * 3], frames[i * 12 + k * 3 + 1], frames[i * 12 + k * 3 + 2]);
     };
+    const Frame frame{axis(0), axis(1), axis(2), axis(3)};
+    check_frame(frame, group + "frame", i, path);
     std::vector<Ring2> rings;
-    for (std::uint32_t r = 0; r < n_rings[i]; ++r, ++ring_at) {
-      const std::size_t n = n_corners.at(ring_at);
-      if (n < 3) throw std::out_of_range("ring");
+    const std::size_t first_ring = rings_left.next(n_rings[i]);
+    for (std::size_t r = first_ring; r < first_ring + n_rings[i]; ++r) {
+      if (n_corners[r] < 3)
+        throw IoError(path, fmt::format("dataset '{}n_corners': element {} is {}, a ring has at least 3", group,
+                                        r, n_corners[r]));
       Ring2 ring;
-      for (std::size_t c = 0; c < n; ++c, ++corner_at)
-        ring.push_back({local.at(2 * corner_at), local.at(2 * corner_at + 1)});
+      const std::size_t first = corners_left.next(n_corners[r]);
+      for (std::size_t c = first; c < first + n_corners[r]; ++c) ring.push_back({local[2 * c], local[2 * c + 1]});
       rings.push_back(std::move(ring));
     }
-    if (rings.empty()) throw std::out_of_range("polygon");
-    polygons.emplace_back(Frame{axis(0), axis(1), axis(2), axis(3)}, std::move(rings));
-    if (!(polygons.back().area_m2() > 0.0) || !is_finite(axis(0))) throw std::out_of_range("polygon");
+    try {
+      polygons.emplace_back(frame, std::move(rings));
+    } catch (const InternalError&) {
+      throw IoError(path, fmt::format("dataset '{}corner_uv': polygon {} has no area", group, i));
+    }
   }
+  rings_left.finish();
+  corners_left.finish();
   return polygons;
 }
 
 Json to_json(const Vec3& v) { return {v.x, v.y, v.z}; }
-Vec3 vec3(const Json& json) { return {json.at(0), json.at(1), json.at(2)}; }
 Json to_json(const SpectralCurve& curve) { return curve.points(); }
-SpectralCurve curve(const Json& json) {
-  auto points = json.get<std::vector<std::pair<double, double>>>();
-  const auto not_after = [](const auto& a, const auto& b) { return !(a.first < b.first); };
-  if (points.empty() || std::adjacent_find(points.begin(), points.end(), not_after) != points.end())
-    throw std::out_of_range("curve");
+
+SpectralCurve curve(const JsonEntry& json, double low, double high) {
+  std::vector<std::pair<double, double>> points;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    json.at(i).size(2);
+    points.emplace_back(json.at(i).at(0).number(), json.at(i).at(1).number(low, high));
+    if (i > 0 && !(points[i - 1].first < points[i].first)) json.at(i).fail("is not in order of wavelength");
+  }
+  if (points.empty()) json.fail("has no point");
   return SpectralCurve(std::move(points));
 }
 
@@ -91,29 +144,29 @@ Json finish_to_json(const Finish& finish) {
                {"distribution", finish.distribution},
                {"transmittance", to_json(finish.transmittance)},
                {"angular_law", finish.angular_law},
-               {"angular_law", finish.angular_law},
                {"source", finish.source}};
   if (finish.extinction) json["extinction"] = to_json(*finish.extinction);
   if (finish.specular_reflectance) json["specular_reflectance"] = to_json(*finish.specular_reflectance);
   return json;
 }
 
-Finish finish_from_json(const Json& json) {
+Finish finish_from(const JsonEntry& json) {
   Finish finish;
-  finish.name = json.at("name");
-  finish.kind = json.at("kind") == "glazing" ? FinishKind::glazing : FinishKind::opaque;
-  finish.diffuse = curve(json.at("diffuse"));
-  finish.specular = json.at("specular");
-  finish.roughness = json.at("roughness");
-  finish.ior = curve(json.at("ior"));
-  finish.distribution = json.at("distribution");
-  finish.transmittance = curve(json.at("transmittance"));
-  finish.angular_law = json.value("angular_law", finish.angular_law);
-  finish.angular_law = json.at("angular_law");
-  finish.source = json.at("source");
-  if (json.contains("extinction")) finish.extinction = curve(json["extinction"]);
-  if (json.contains("specular_reflectance"))
-    finish.specular_reflectance = curve(json["specular_reflectance"]);
+  finish.name = json["name"].text();
+  finish.kind = json["kind"].word({"opaque", "glazing"}) == 0 ? FinishKind::opaque : FinishKind::glazing;
+  finish.diffuse = curve(json["diffuse"], 0.0, 1.0);
+  finish.specular = json["specular"].number(0.0, 1.0);
+  finish.roughness = json["roughness"].number(0.0);
+  finish.ior = curve(json["ior"], 0.0, HUGE_VAL);
+  json["distribution"].word({"gaussian", "beckmann"});
+  finish.distribution = json["distribution"].text();
+  finish.transmittance = curve(json["transmittance"], 0.0, 1.0);
+  json["angular_law"].word({"glass", "constant"});
+  finish.angular_law = json["angular_law"].text();
+  finish.source = json["source"].text();
+  if (json.has("extinction")) finish.extinction = curve(json["extinction"], 0.0, HUGE_VAL);
+  if (json.has("specular_reflectance"))
+    finish.specular_reflectance = curve(json["specular_reflectance"], 0.0, 1.0);
   return finish;
 }
 
@@ -143,25 +196,38 @@ Json description(const Zone& zone) {
   return json;
 }
 
-void read_description(const Json& json, Zone& zone, const std::vector<Polygon>& plane_polygons) {
-  zone.name = json.at("name");
-  for (const auto& finish : json.at("finishes")) zone.finishes.push_back(finish_from_json(finish));
-  for (const auto& v : json.at("views")) {
-    View view{v.at("name"), vec3(v.at("eye")), vec3(v.at("focus")), vec3(v.at("up")), v.at("fov_rad")};
-    view.width = v.at("size").at(0);
-    view.height = v.at("size").at(1);
-    zone.views.push_back(std::move(view));
+// A view that can be drawn: it looks somewhere, and its up is not that way.
+View view_from(const JsonEntry& v) {
+  View view{v["name"].text(), v["eye"].vec3(), v["focus"].vec3(), v["up"].vec3(), v["fov_rad"].number(0.0, kPi)};
+  v["size"].size(2);
+  view.width = v["size"].at(0).integer(1, kMostPixels);
+  view.height = v["size"].at(1).integer(1, kMostPixels);
+  if (!(view.fov_rad > 0.0 && view.fov_rad < kPi)) v["fov_rad"].fail("is not within 0..pi");
+  if (!(glm::length(glm::cross(view.focus - view.eye, view.up)) > 0.0))
+    v.fail("looks nowhere, or along its own up");
+  return view;
+}
+
+void read_description(const JsonEntry& json, Zone& zone, const std::vector<Polygon>& plane_polygons) {
+  zone.name = json["name"].text();
+  const JsonEntry finishes = json["finishes"], views = json["views"], planes = json["planes"],
+                  sets = json["point_sets"];
+  for (std::size_t i = 0; i < finishes.size(); ++i) zone.finishes.push_back(finish_from(finishes.at(i)));
+  for (std::size_t i = 0; i < views.size(); ++i) zone.views.push_back(view_from(views.at(i)));
+  for (std::size_t i = 0; i < planes.size(plane_polygons.size()); ++i) {
+    constexpr int kMost = std::numeric_limits<int>::max();
+    zone.planes.push_back({planes.at(i)["name"].text(), plane_polygons[i], planes.at(i)["nu"].integer(1, kMost),
+                           planes.at(i)["nv"].integer(1, kMost), {}});
   }
-  for (std::size_t i = 0; i < json.at("planes").size(); ++i) {
-    const auto& p = json["planes"][i];
-    zone.planes.push_back({p.at("name"), plane_polygons.at(i), p.at("nu"), p.at("nv"), {}});
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    const std::size_t first = sets.at(i)["first"].index(zone.points.size() + 1);
+    zone.point_sets.push_back(
+        {sets.at(i)["name"].text(), first, sets.at(i)["count"].index(zone.points.size() - first + 1), {}});
   }
-  for (const auto& set : json.at("point_sets"))
-    zone.point_sets.push_back({set.at("name"), set.at("first"), set.at("count"), {}});
-  if (json.contains("site")) {
-    const auto& s = json["site"];
-    zone.site = Site{s.at("latitude_deg"), s.at("longitude_deg"), s.at("time_zone_h"), s.at("north_deg")};
-  }
+  if (!json.has("site")) return;
+  const JsonEntry site = json["site"];
+  zone.site = Site{site["latitude_deg"].number(-90.0, 90.0), site["longitude_deg"].number(),
+                   site["time_zone_h"].number(), site["north_deg"].number()};
 }
 
 // One row a surface: finish, parent, twin, bounding, outside, fills rectangle, grid nu, grid nv (0: none
@@ -191,51 +257,66 @@ void store_surfaces(Hdf5Writer& file, const Zone& zone) {
   file.dataset("/zone/surfaces/area", std::span<const double>(area_m2), {names.size()}, "m2");
 }
 
-void load_surfaces(const Hdf5Reader& file, Zone& zone) {
-  const auto polygons = load_polygons(file, "/zone/surfaces/");
+// Entry of a surface's row, within low..high.
+int entry(const std::vector<std::int32_t>& table, std::size_t surface, std::size_t column, std::int64_t low,
+          std::int64_t high, const std::string& path) {
+  const std::int32_t value = table[surface * kSurfaceColumns + column];
+  if (value < low || value > high)
+    throw IoError(path, fmt::format("dataset '/zone/surfaces/table': [{}, {}] is {}, outside {}..{}", surface,
+                                    column, value, low, high));
+  return value;
+}
+
+void load_surfaces(const Hdf5Reader& file, Zone& zone, const std::string& path) {
+  const auto polygons = load_polygons(file, "/zone/surfaces/", path);
+  const std::size_t n = polygons.size();
   const auto names = file.strings("/zone/surfaces/name");
-  const auto table = file.dataset<std::int32_t>("/zone/surfaces/table", {polygons.size(), kSurfaceColumns});
-  const auto cell_m = file.dataset<double>("/zone/surfaces/cell", {polygons.size()});
-  for (std::size_t i = 0; i < polygons.size(); ++i) {
-    const auto* row = &table[i * kSurfaceColumns];
+  const auto table = file.dataset<std::int32_t>("/zone/surfaces/table", {n, kSurfaceColumns});
+  const auto cell_m = file.dataset<double>("/zone/surfaces/cell", {n});
+  if (names.size() != n)
+    throw IoError(path, fmt::format("dataset '/zone/surfaces/name' has {} elements, expected {}", names.size(), n));
+  const auto last_finish = static_cast<std::int64_t>(zone.finishes.size()) - 1,
+             last_surface = static_cast<std::int64_t>(n) - 1;
+  constexpr std::int64_t kMost = std::numeric_limits<int>::max();
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto at = [&](std::size_t column, std::int64_t low, std::int64_t high) {
+      return entry(table, i, column, low, high, path);
+    };
     Surface surface;
-    surface.name = names.at(i);
+    surface.name = names[i];
     surface.polygon = polygons[i];
-    surface.finish = row[0];
-    surface.parent = row[1];
-    surface.twin = row[2];
-    surface.bounding = row[3] != 0;
-    surface.outside = row[4] != 0;
-    surface.fills_rectangle = row[5] != 0;
-    if (row[6] > 0) surface.grid = std::pair(row[6], row[7]);
+    surface.finish = at(0, 0, last_finish);
+    surface.parent = at(1, -1, last_surface);
+    surface.twin = at(2, -1, last_surface);
+    surface.bounding = at(3, 0, 1) != 0;
+    surface.outside = at(4, 0, 1) != 0;
+    surface.fills_rectangle = at(5, 0, 1) != 0;
+    if (at(6, 0, kMost) > 0) surface.grid = std::pair(at(6, 1, kMost), at(7, 1, kMost));
     surface.cell_m = cell_m[i];
+    if (!surface.grid && !(surface.cell_m > 0.0 && std::isfinite(surface.cell_m)))
+      throw IoError(path, fmt::format("dataset '/zone/surfaces/cell': element {} is {:g}, expected more than 0", i,
+                                      surface.cell_m));
     zone.surfaces.push_back(std::move(surface));
   }
 }
 
-void check(const Zone& zone, const std::string& path) {
-  const auto within = [](int index, std::size_t n) { return index >= -1 && index < static_cast<int>(n); };
-  const bool surfaces_hold =
-      std::all_of(zone.surfaces.begin(), zone.surfaces.end(), [&](const Surface& surface) {
-        return surface.finish >= 0 && within(surface.finish, zone.finishes.size()) &&
-               within(surface.parent, zone.surfaces.size()) && within(surface.twin, zone.surfaces.size()) &&
-               (surface.grid ? surface.grid->second > 0 : surface.cell_m > 0.0);
-      });
-  const bool points_hold = std::all_of(
-      zone.points.begin(), zone.points.end(),
-      [](const MeasuringPoint& point) { return is_finite(point.position) && is_finite(point.normal); });
-  const bool sets_hold =
-      std::all_of(zone.point_sets.begin(), zone.point_sets.end(), [&](const PointSet& set) {
-        return set.first <= zone.points.size() && set.count <= zone.points.size() - set.first;
-      });
-  if (!surfaces_hold || !points_hold || !sets_hold)
-    throw IoError(path, "the zone in this file does not hold together");
+void load_points(const Hdf5Reader& file, Zone& zone, const std::string& path) {
+  constexpr double kRounding = 1e-6;
+  const auto points = file.dataset<double>("/zone/points", {kAnySize, 6});
+  const auto valid = file.dataset<std::uint8_t>("/zone/point_valid", {points.size() / 6});
+  for (std::size_t i = 0; i < points.size(); i += 6) {
+    const Vec3 at(points[i], points[i + 1], points[i + 2]),
+        normal(points[i + 3], points[i + 4], points[i + 5]);
+    if (!is_finite(at) || !(std::abs(glm::dot(normal, normal) - 1.0) <= kRounding))
+      throw IoError(path, fmt::format("dataset '/zone/points': point {} has no finite place and unit normal", i / 6));
+    zone.points.push_back({at, normal, valid[i / 6] != 0});
+  }
 }
 
 }  // namespace
 
 void store_zone(Hdf5Writer& file, const Zone& zone) {
-  file.text("/zone/description", description(zone).dump());
+  file.text(kDescription, dump_json(description(zone)));
   file.attribute("/zone", "unit_m", zone.unit_m);
   file.attribute("/zone", "diameter_m", zone.diameter_m);
   file.attribute("/zone", "volume_m3", zone.volume_m3);
@@ -259,31 +340,49 @@ void store_zone(Hdf5Writer& file, const Zone& zone) {
                "0: outside the zone or inside something, left out of statistics");
 }
 
+const FileSchema& zone_schema() {
+  static const FileSchema schema = [] {
+    constexpr double kMost = 1e300;
+    FileSchema zone;
+    zone.attributes = {{"/zone", "unit_m", AttributeType::number, 1e-12, 1e12},
+                       {"/zone", "diameter_m", AttributeType::number, 0.0, kMost},
+                       {"/zone", "volume_m3", AttributeType::number, -kMost, kMost},
+                       {"/zone", "closed", AttributeType::integer, 0, 1}};
+    zone.datasets = {{"/zone/origin", "float64", "3", "m", Allowed::finite},
+                     {"/zone/points", "float64", "points, 6", "m, 1", Allowed::finite},
+                     {"/zone/point_valid", "uint8", "points", "1", Allowed::flag},
+                     {"/zone/description", "text", ""},
+                     {"/zone/surfaces/name", "strings", "surfaces"},
+                     {"/zone/surfaces/table", "int32", "surfaces, 8"},
+                     {"/zone/surfaces/cell", "float64", "surfaces", "m", Allowed::not_negative},
+                     {"/zone/surfaces/area", "float64", "surfaces", "m2", Allowed::positive},
+                     {"/zone/surfaces/frame", "float64", "surfaces, 4, 3", "m", Allowed::finite},
+                     {"/zone/surfaces/n_rings", "uint32", "surfaces", "1", Allowed::positive},
+                     {"/zone/surfaces/n_corners", "uint32", "rings"},
+                     {"/zone/surfaces/corner_uv", "float64", "corners, 2", "m", Allowed::finite},
+                     {"/zone/surfaces/vertex", "float64", "corners, 3", "m", Allowed::finite},
+                     {"/zone/planes/frame", "float64", "planes, 4, 3", "m", Allowed::finite},
+                     {"/zone/planes/n_rings", "uint32", "planes", "1", Allowed::positive},
+                     {"/zone/planes/n_corners", "uint32", "plane_rings"},
+                     {"/zone/planes/corner_uv", "float64", "plane_corners, 2", "m", Allowed::finite},
+                     {"/zone/planes/vertex", "float64", "plane_corners, 3", "m", Allowed::finite}};
+    return zone;
+  }();
+  return schema;
+}
+
 Zone load_zone(const Hdf5Reader& file, const std::string& path) {
   Zone zone;
-  try {
-    zone.unit_m = file.number_attribute("/zone", "unit_m");
-    zone.diameter_m = file.number_attribute("/zone", "diameter_m");
-    zone.volume_m3 = file.number_attribute("/zone", "volume_m3");
-    zone.closed = file.integer_attribute("/zone", "closed") != 0;
-    const auto origin = file.dataset<double>("/zone/origin", {3});
-    zone.origin_m = {origin[0], origin[1], origin[2]};
-    load_surfaces(file, zone);
-    const auto points = file.dataset<double>("/zone/points", {kAnySize, 6});
-    const auto valid = file.dataset<std::uint8_t>("/zone/point_valid", {points.size() / 6});
-    for (std::size_t i = 0; i < points.size(); i += 6)
-      zone.points.push_back({{points[i], points[i + 1], points[i + 2]},
-                             {points[i + 3], points[i + 4], points[i + 5]},
-                             valid[i / 6] != 0});
-    read_description(Json::parse(file.text("/zone/description")), zone, load_polygons(file, "/zone/planes/"));
-  } catch (const nlohmann::json::exception&) {
-    throw IoError(path, "the description of the zone in this file cannot be read");
-  } catch (const std::out_of_range&) {
-    throw IoError(path, "the zone in this file does not hold together");
-  } catch (const InternalError&) {  // a polygon without area
-    throw IoError(path, "the zone in this file does not hold together");
-  }
-  check(zone, path);
+  zone.unit_m = file.number_attribute("/zone", "unit_m");
+  zone.diameter_m = file.number_attribute("/zone", "diameter_m");
+  zone.volume_m3 = file.number_attribute("/zone", "volume_m3");
+  zone.closed = file.integer_attribute("/zone", "closed") != 0;
+  const auto origin = file.dataset<double>("/zone/origin", {3});
+  zone.origin_m = {origin[0], origin[1], origin[2]};
+  const Json json = parse_json(file.text(kDescription), kDescription, path);
+  load_points(file, zone, path);
+  read_description(JsonEntry(json, kDescription, path), zone, load_polygons(file, "/zone/planes/", path));
+  load_surfaces(file, zone, path);
   return zone;
 }
 
