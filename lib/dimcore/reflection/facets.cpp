@@ -7,7 +7,8 @@ namespace dim {
 namespace {
 
 constexpr std::size_t kSteps = 4096;
-constexpr double kFarthest = 6.0;  // in units of m: what lies beyond is below 1e-15 of all
+constexpr std::size_t kGuides = 4096;  // to find a step by
+constexpr double kFarthest = 6.0;      // in units of m: what lies beyond is below 1e-15 of all
 
 }  // namespace
 
@@ -28,6 +29,10 @@ Facets::Facets(FacetDistribution distribution, double rms_slope)
   }
   c1_ = 1.0 / cumulative_.back();
   for (double& share : cumulative_) share *= c1_;
+  for (std::size_t g = 0, step = 0; g < kGuides; ++g) {
+    while (step + 1 < kSteps && cumulative_[step + 1] <= static_cast<double>(g) / kGuides) ++step;
+    guide_.push_back(static_cast<std::uint16_t>(step));
+  }
 }
 
 double Facets::density(double cos_tilt) const {
@@ -45,10 +50,11 @@ double Facets::density(double cos_tilt) const {
 double Facets::tilt_rad(double u) const {
   if (distribution_ == FacetDistribution::beckmann)
     return std::atan(rms_slope_ * std::sqrt(-std::log1p(-std::min(u, 1.0 - 1e-16))));
-  const auto above = std::upper_bound(cumulative_.begin() + 1, cumulative_.end() - 1, u);
-  const double low = *(above - 1), high = *above;
+  std::size_t step = guide_[std::min(static_cast<std::size_t>(u * kGuides), kGuides - 1)];
+  while (step + 1 < kSteps && cumulative_[step + 1] <= u) ++step;
+  const double low = cumulative_[step], high = cumulative_[step + 1];
   // Area grows with the square of the tilt near 0: between steps, interpolate the square.
-  const double i = static_cast<double>(above - cumulative_.begin()) - 1.0;
+  const auto i = static_cast<double>(step);
   const double t = high > low ? std::clamp((u - low) / (high - low), 0.0, 1.0) : 0.0;
   return step_rad_ * std::sqrt(i * i + t * (2.0 * i + 1.0));
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -29,14 +30,14 @@ class Facets {
   double rms_slope_;
   double c1_ = 0.0;
   double step_rad_ = 0.0;
-  std::vector<double> cumulative_;  // gaussian: int_0^{i step} D cos sin 2 pi
+  std::vector<double> cumulative_;    // gaussian: int_0^{i step} D cos sin 2 pi
+  std::vector<std::uint16_t> guide_;  // of equal parts of u: a step that does not lie above any u of the part
 };
 
-/// A facet's share of the light from `in`, over D cos(delta): (i.h) G / (cos(in) cos(delta)), 0..2, with G the
-/// masking of V-shaped cavities (Torrance & Sparrow 1967), equation (13). Zero
-/// where the facet faces away or sends the light below the surface. Its mean over facets drawn with D
-/// cos(delta), times F, is the directional albedo; never above 1, since facets opposite in azimuth add up to
-/// at most 2.
+/// A facet's share of the light from `in`, over D cos(delta): (i.h) G / (cos(in) cos(delta)), 0..2, with G
+/// the masking of V-shaped cavities (Torrance & Sparrow 1967), equation (13). Zero where the facet faces away
+/// or sends the light below the surface. Its mean over facets drawn with D cos(delta), times F, is the
+/// directional albedo; never above 1, since facets opposite in azimuth add up to at most 2.
 double facet_weight(const Vec3& half, const Vec3& in, const Vec3& out);
 
 }  // namespace dim

@@ -5,13 +5,27 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace dim {
 namespace {
 
-// Paths between a cell and an opening along which light meets a cell, and facets it meets on each.
-constexpr int kPaths = 16;
-constexpr int kFacets = 32;
+// Paths between a cell and an opening along which light comes in, by how far their directions spread over the
+// lobe's width; and facets it meets on each, so many that they make up a lobe however few the paths.
+constexpr int kLeastPaths = 2, kMostPaths = 16;
+constexpr std::size_t kFacets = 32, kLeastFacets = 128, kMostFacets = kLeastFacets / kLeastPaths;
+
+int n_paths(const Zone& zone, const Cells& cells, const CellLight& light) {
+  const auto& cell = cells[light.cell];
+  const Surface& surface = zone.surfaces[cells.surface_of(light.cell)];
+  const double m = zone.finishes[static_cast<std::size_t>(surface.finish)].roughness;
+  const double extent_m =
+      glm::length(cell.high - cell.low) + largest_dimension_m(light.emitter->luminaire.opening);
+  const double distance_m = glm::length(light.emitter->luminaire.at - middle_of(zone, cells, light.cell));
+  const double spread = extent_m / (distance_m * lobe_half_width_rad(m));
+  return static_cast<int>(
+      std::clamp(std::ceil(kMostPaths * spread * spread), double{kLeastPaths}, double{kMostPaths}));
+}
 
 }  // namespace
 
@@ -22,6 +36,7 @@ struct DirectLobes::Coming {
   std::size_t source;
   const std::vector<double>& lx;  // [n_classes]
   std::uint64_t stream;
+  std::size_t n_facets;
 };
 
 DirectLobes::DirectLobes(const Zone& zone, const Cells& cells, const Network& network,
@@ -67,20 +82,22 @@ std::vector<float> DirectLobes::psi_of_rays(const Job& job) const {
     const std::size_t cell = shine_.off_specular()[g];
     for (std::size_t r = 0; r < of_rays_[g].size(); ++r) {
       const RayLight& ray = of_rays_[g][r];
-      reflect({cell, -ray.direction, ray.source, ray.lx, mix(g)}, r, of_cell);
+      reflect({cell, -ray.direction, ray.source, ray.lx, mix(g), kFacets}, r, of_cell);
     }
   });
 }
 
 void DirectLobes::reflect_emitter(const CellLight& light, std::vector<double>& psi) const {
-  const auto paths = paths_of(zone_, cells_, light, kPaths);
+  const int n = n_paths(zone_, cells_, light);
+  const std::size_t n_facets = std::max(kFacets, kLeastFacets / static_cast<std::size_t>(n));
+  const auto paths = paths_of(zone_, cells_, light, n);
   const auto tints = tints_of(zone_, classes_, *light.emitter, middle_of(zone_, cells_, light.cell));
   std::vector<double> lx(tints.size());
   for (std::size_t i = 0; i < paths.size(); ++i) {
     if (!(paths[i].lx > 0.0)) continue;
     for (std::size_t q = 0; q < tints.size(); ++q) lx[q] = light.lx * paths[i].lx * tints[q];
     reflect({light.cell, paths[i].towards, source_of_[light.emitter->original], lx,
-             mix(light.cell) ^ stream_of(*light.emitter)},
+             mix(light.cell) ^ stream_of(*light.emitter), n_facets},
             i, psi);
   }
 }
@@ -91,23 +108,23 @@ void DirectLobes::reflect(const Coming& coming, std::size_t index, std::vector<d
   Vec3 in = surface.polygon.frame().direction_to_local(coming.towards);
   in.z = std::max(in.z, 1e-9);
   const LowDiscrepancy4 chance(coming.stream);
-  std::array<FacetSample, kFacets> facets;
-  for (std::uint64_t f = 0; f < kFacets; ++f) {
-    const auto x = chance(index * kFacets + f);
+  std::array<FacetSample, kMostFacets> facets;
+  for (std::uint64_t f = 0; f < coming.n_facets; ++f) {
+    const auto x = chance(index * coming.n_facets + f);
     facets[f] = sample_facet(shine_.facets(surface.finish), in, x[0], x[1]);
   }
   for (std::size_t q = 0; q < classes_.size(); ++q) {
     const auto& reflection = classes_.at(q, surface.finish);
-    std::array<double, kFacets> share{};
+    std::array<double, kMostFacets> share{};
     double sum = 0.0;
-    for (std::size_t f = 0; f < kFacets; ++f) {
+    for (std::size_t f = 0; f < coming.n_facets; ++f) {
       if (facets[f].weight > 0.0) share[f] = facets[f].weight * reflection.fresnel(facets[f].facing);
       sum += share[f];
     }
     if (!(sum > 0.0)) continue;
     const double scale = coming.lx[q] * shine_.albedo(q, surface.finish).at(in.z) / sum;
     const std::size_t column = q * n_sources_ + coming.source;
-    for (std::size_t f = 0; f < kFacets; ++f) {
+    for (std::size_t f = 0; f < coming.n_facets; ++f) {
       if (share[f] > 0.0) psi[shine_.grid().patch_of(facets[f].out) * n_all() + column] += scale * share[f];
     }
   }

@@ -9,8 +9,9 @@ Columns<Real> gather_points(const Network& network, const Cells& cells, const Co
                             const Reflectances& reflectances, const GatherShine* shine) {
   Columns<Real> point(network.point_sinks.n_rows(), cell.n_columns());
   if (point.n_rows() == 0) return point;
-  for (std::size_t first = 0; first < cell.n_columns(); first += kMaxColumns) {
-    const std::size_t n = std::min(kMaxColumns, cell.n_columns() - first);
+  const std::size_t block_columns = psi.empty() ? kMaxColumns : kColumnsPerLane;
+  for (std::size_t first = 0; first < cell.n_columns(); first += block_columns) {
+    const std::size_t n = std::min(block_columns, cell.n_columns() - first);
     Propagation propagation(network, cells, reflectances, first, n, shine);
     if (propagation.shine()) propagation.shine()->set_psi(psi);
     const std::size_t width = propagation.width();

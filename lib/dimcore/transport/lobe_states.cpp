@@ -5,10 +5,14 @@
 namespace dim {
 
 LobeStates::LobeStates(const Zone& zone, const Cells& cells, const Network& network,
-                       const SurfaceOptics& optics)
-    : zone_(zone), cells_(cells), optics_(optics), grid_(optics.grid()), index_of_(cells.size(), -1) {
+                       const std::vector<Shininess>& of_surface)
+    : zone_(zone),
+      cells_(cells),
+      of_surface_(of_surface),
+      grid_(lobe_grid(network.patches)),
+      index_of_(cells.size(), -1) {
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (optics.of_surface(cells.surface_of(i)) != Shininess::off_specular) continue;
+    if (of_surface[cells.surface_of(i)] != Shininess::off_specular) continue;
     index_of_[i] = static_cast<std::int32_t>(cells_with_lobe_.size());
     cells_with_lobe_.push_back(static_cast<std::uint32_t>(i));
   }
@@ -32,7 +36,7 @@ LobeStates::LobeStates(const Zone& zone, const Cells& cells, const Network& netw
 
 std::uint16_t LobeStates::patch_in(std::size_t cell, const Vec3& direction) const {
   const std::size_t surface = cells_.surface_of(cell);
-  if (optics_.of_surface(surface) == Shininess::diffusing) return 0;
+  if (of_surface_[surface] == Shininess::diffusing) return 0;
   Vec3 local = -zone_.surfaces[surface].polygon.frame().direction_to_local(direction);
   local.z = std::max(local.z, 1e-9);
   return static_cast<std::uint16_t>(grid_.patch_of(local));

@@ -5,7 +5,7 @@
 
 #include "network/cells.hpp"
 #include "network/network.hpp"
-#include "transport/surface_optics.hpp"
+#include "transport/optics.hpp"
 
 namespace dim {
 
@@ -13,7 +13,9 @@ namespace dim {
 /// g * n_patches + r; and how the patches of the network lie in those of the lobe grid.
 class LobeStates {
  public:
-  LobeStates(const Zone& zone, const Cells& cells, const Network& network, const SurfaceOptics& optics);
+  /// @param of_surface  see `shininess_of_surfaces`; must outlive this
+  LobeStates(const Zone& zone, const Cells& cells, const Network& network,
+             const std::vector<Shininess>& of_surface);
 
   const PatchGrid& grid() const { return grid_; }
   std::size_t n_patches() const { return grid_.n_patches(); }
@@ -44,7 +46,7 @@ class LobeStates {
  private:
   const Zone& zone_;
   const Cells& cells_;
-  const SurfaceOptics& optics_;
+  const std::vector<Shininess>& of_surface_;
   PatchGrid grid_;
   std::vector<std::uint32_t> cells_with_lobe_;
   std::vector<std::int32_t> index_of_;

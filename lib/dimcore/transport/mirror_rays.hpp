@@ -2,12 +2,13 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "geometry/ray_caster.hpp"
 #include "network/cells.hpp"
 #include "network/ray_pattern.hpp"
 #include "reflection/mirror.hpp"
-#include "transport/surface_optics.hpp"
+#include "transport/optics.hpp"
 
 namespace dim {
 
@@ -20,9 +21,16 @@ struct MirrorRayOptions {
 /// Follows rays on at mirrors, for all reflectance classes at once.
 class MirrorRays {
  public:
-  MirrorRays(const Zone& zone, const Cells& cells, const SurfaceOptics& optics, const RayCaster& caster,
+  /// @param of_surface  see `shininess_of_surfaces`
+  MirrorRays(const Zone& zone, const Cells& cells, const ReflectanceClasses& classes,
+             const std::vector<Shininess>& of_surface, const RayCaster& caster,
              const MirrorRayOptions& options)
-      : zone_(zone), cells_(cells), optics_(optics), caster_(caster), options_(options) {}
+      : zone_(zone),
+        cells_(cells),
+        classes_(classes),
+        of_surface_(of_surface),
+        caster_(caster),
+        options_(options) {}
 
   enum class End {
     landed,   ///< on a surface that is not a mirror
@@ -43,7 +51,7 @@ class MirrorRays {
     Vec3 at = ray.from - frame->height(ray.from) / glm::dot(direction, frame->n) * direction;
     for (int met = 1;; ++met) {
       const double left = meet_mirror(frame->n, direction, tint, [&](std::size_t q) -> const BandReflection& {
-        return optics_.reflection(q, zone_.surfaces[mirror].finish);
+        return classes_.at(q, zone_.surfaces[mirror].finish);
       });
       if (left <= options_.tolerance || met >= options_.most) return End::cut;
       const Hit hit = caster_.nearest(at, direction, static_cast<int>(mirror));
@@ -52,7 +60,7 @@ class MirrorRays {
         return End::escaped;
       on_landing(cells_.cell_hit(plate, hit.local, direction),
                  direction);
-      if (optics_.of_surface(plate) != Shininess::mirror) return End::landed;
+      if (of_surface_[plate] != Shininess::mirror) return End::landed;
       at += hit.t * direction;
       mirror = plate;
       frame = &zone_.surfaces[mirror].polygon.frame();
@@ -62,7 +70,8 @@ class MirrorRays {
  private:
   const Zone& zone_;
   const Cells& cells_;
-  const SurfaceOptics& optics_;
+  const ReflectanceClasses& classes_;
+  const std::vector<Shininess>& of_surface_;
   const RayCaster& caster_;
   MirrorRayOptions options_;
 };

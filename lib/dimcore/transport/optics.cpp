@@ -51,12 +51,15 @@ PatchGrid lobe_grid(const PatchGrid& network) {
   return grid;
 }
 
-std::vector<Shininess> shininess_of_finishes(const Zone& zone, const ReflectanceClasses& classes,
+std::vector<Shininess> shininess_of_surfaces(const Zone& zone, const ReflectanceClasses& classes,
                                              const PatchGrid& grid) {
-  std::vector<Shininess> result;
+  std::vector<Shininess> of_finish, of_surface;
   for (std::size_t f = 0; f < zone.finishes.size(); ++f)
-    result.push_back(shininess(zone.finishes[f], f, classes, grid));
-  return result;
+    of_finish.push_back(shininess(zone.finishes[f], f, classes, grid));
+  for (const auto& surface : zone.surfaces)
+    of_surface.push_back(surface.outside ? Shininess::diffusing
+                                         : of_finish[static_cast<std::size_t>(surface.finish)]);
+  return of_surface;
 }
 
 }  // namespace dim

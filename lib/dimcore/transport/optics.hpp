@@ -40,8 +40,8 @@ inline constexpr std::size_t kMostLobePatches = 1280;
 /// halves (odd numbers rounded up) to at most kMostLobePatches.
 PatchGrid lobe_grid(const PatchGrid& network);
 
-/// The class of every finish. @param grid  of `lobe_grid`
-std::vector<Shininess> shininess_of_finishes(const Zone& zone, const ReflectanceClasses& classes,
+/// How every surface shines. @param grid  of `lobe_grid`
+std::vector<Shininess> shininess_of_surfaces(const Zone& zone, const ReflectanceClasses& classes,
                                              const PatchGrid& grid);
 
 }  // namespace dim

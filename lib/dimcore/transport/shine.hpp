@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "transport/shine_links.hpp"
+#include "transport/surface_optics.hpp"
 
 namespace dim {
 
@@ -27,7 +28,7 @@ class Shine {
   bool has_mirrors() const { return !mirrors_.empty(); }
   /// Surfaces that are mirrors.
   const std::vector<int>& mirrors() const { return mirrors_; }
-  Shininess of_surface(std::size_t surface) const { return optics_.of_surface(surface); }
+  Shininess of_surface(std::size_t surface) const { return of_surface_[surface]; }
   Shininess of_cell(std::size_t cell) const { return of_surface(cells_.surface_of(cell)); }
 
   const LobeStates& states() const { return states_; }
@@ -60,8 +61,9 @@ class Shine {
 
  private:
   const Cells& cells_;
-  SurfaceOptics optics_;
+  std::vector<Shininess> of_surface_;
   LobeStates states_;
+  SurfaceOptics optics_;
   MirrorRays mirror_rays_;
   std::vector<int> mirrors_;
   ShineLinks links_;

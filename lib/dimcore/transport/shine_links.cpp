@@ -11,7 +11,7 @@ namespace dim {
 namespace {
 
 using Links = ShineLinks;
-constexpr std::size_t kRowsAtOnce = 4096;  // whose links exist twice while they are put in order
+constexpr std::size_t kRowsAtOnce = 512;  // whose links exist twice while they are put in order
 
 // A lobe's link on its way to the receiver's row.
 struct Sent {
@@ -41,18 +41,19 @@ void append(std::vector<T>& to, const std::vector<T>& more) {
 
 class Linker {
  public:
-  Linker(const Zone& zone, const Cells& cells, const Network& network, const LobeStates& states,
-         const SurfaceOptics& optics, const MirrorRays& mirrors)
+  Linker(const Zone& zone, const Cells& cells, const Network& network, std::size_t n_classes,
+         const std::vector<Shininess>& of_surface, const LobeStates& states, const MirrorRays& mirrors)
       : zone_(zone),
         cells_(cells),
         network_(network),
+        of_surface_(of_surface),
         states_(states),
-        optics_(optics),
         mirrors_(mirrors),
         n_cells_(cells.size()),
-        n_classes_(optics.n_classes()) {}
+        n_classes_(n_classes) {}
 
-  Links build(bool any_mirror, const Job& job) {
+  Links build(const Job& job) {
+    const bool any_mirror = std::count(of_surface_.begin(), of_surface_.end(), Shininess::mirror) > 0;
     links_.n_classes = n_classes_;
     links_.cut_off.assign(n_classes_, 0.0);
     links_.passed.assign(n_cells_ * n_classes_, {});
@@ -75,7 +76,7 @@ class Linker {
   }
 
  private:
-  Shininess kind(std::size_t cell) const { return optics_.of_surface(cells_.surface_of(cell)); }
+  Shininess kind(std::size_t cell) const { return of_surface_[cells_.surface_of(cell)]; }
 
   // Rows in parallel, then kept one by one in their order.
   template <class Make, class Keep>
@@ -251,8 +252,8 @@ class Linker {
   const Zone& zone_;
   const Cells& cells_;
   const Network& network_;
+  const std::vector<Shininess>& of_surface_;
   const LobeStates& states_;
-  const SurfaceOptics& optics_;
   const MirrorRays& mirrors_;
   std::size_t n_cells_, n_classes_;
   Links links_;
@@ -261,10 +262,10 @@ class Linker {
 
 }  // namespace
 
-ShineLinks link_shine(const Zone& zone, const Cells& cells, const Network& network, const LobeStates& states,
-                      const SurfaceOptics& optics, const MirrorRays& mirrors, bool any_mirror,
-                      const Job& job) {
-  return Linker(zone, cells, network, states, optics, mirrors).build(any_mirror, job);
+ShineLinks link_shine(const Zone& zone, const Cells& cells, const Network& network, std::size_t n_classes,
+                      const std::vector<Shininess>& of_surface, const LobeStates& states,
+                      const MirrorRays& mirrors, const Job& job) {
+  return Linker(zone, cells, network, n_classes, of_surface, states, mirrors).build(job);
 }
 
 }  // namespace dim

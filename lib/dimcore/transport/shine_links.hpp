@@ -66,10 +66,10 @@ struct ShineLinks {
   std::vector<std::uint16_t> family_patch;
 };
 
-/// @param any_mirror  whether a surface is one
+/// @param of_surface  see `shininess_of_surfaces`
 /// @throws Interrupted
-ShineLinks link_shine(const Zone& zone, const Cells& cells, const Network& network, const LobeStates& states,
-                      const SurfaceOptics& optics, const MirrorRays& mirrors, bool any_mirror,
-                      const Job& job);
+ShineLinks link_shine(const Zone& zone, const Cells& cells, const Network& network, std::size_t n_classes,
+                      const std::vector<Shininess>& of_surface, const LobeStates& states,
+                      const MirrorRays& mirrors, const Job& job);
 
 }  // namespace dim

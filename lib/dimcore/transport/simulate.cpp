@@ -10,6 +10,7 @@
 #include "transport/auto_bands.hpp"
 #include "network/with_bodies.hpp"
 #include "transport/direct_columns.hpp"
+#include "transport/shine_memory.hpp"
 
 namespace dim {
 namespace {
@@ -91,16 +92,13 @@ void check_size(std::size_t n_cells, std::size_t n_points, std::size_t n_sources
                     static_cast<double>(job.memory_limit_bytes) / kGiB));
 }
 
-void check_shine_size(const Shine& shine, std::size_t n_columns, const Job& job) {
+void check_shine_size(const ShineMemory& memory, const Job& job) {
   constexpr double kGiB = 1024.0 * 1024.0 * 1024.0;
-  constexpr std::size_t kPerLink = 40;
-  const std::size_t needed =
-      shine.n_states() * (4 * sizeof(float) * n_columns + kBlockBytes + kPerLink);
-  if (needed > job.memory_limit_bytes)
+  if (memory.total() > job.memory_limit_bytes)
     throw LimitError(fmt::format(
-        "light by direction of {} off-specular cells x {} patches needs {:.2f} GiB, {:.2f} GiB are free; use "
-        "--combine group, fewer --bands, a larger --cell or fewer --patches",
-        shine.n_off_specular(), shine.grid().n_patches(), static_cast<double>(needed) / kGiB,
+        "light by direction of {} off-specular cells x {} patches, and rays by mirrors, need {:.2f} GiB, {:.2f} "
+        "GiB are free; use --combine group, fewer --bands, a larger --cell or fewer --patches",
+        memory.n_off_specular, memory.n_patches, static_cast<double>(memory.total()) / kGiB,
         static_cast<double>(job.memory_limit_bytes) / kGiB));
 }
 
@@ -151,8 +149,10 @@ Solution simulate_room(const Zone& zone, const Cells& cells, const Network& netw
   check_size(cells.size(), zone.points.size(), n_sources, n_classes, options.bands.size(), job);
 
   const Obstructions obstructions(zone, lights);
-  const Shine shine(zone, cells, network, classes, obstructions.caster(), MirrorRayOptions{}, job);
-  check_shine_size(shine, n_columns, job);
+  const MirrorRayOptions mirror_rays;
+  check_shine_size(
+      shine_memory(zone, cells, network, classes, obstructions.caster(), mirror_rays, n_columns), job);
+  const Shine shine(zone, cells, network, classes, obstructions.caster(), mirror_rays, job);
   const auto flights = source_flights(zone, network, lights, sources, job, warnings);
   const bool in_the_way = options.always_test_visibility || !is_convex_and_empty(zone, lights);
   DirectColumns direct = direct_columns(zone, cells, network, lights, classes, shine, obstructions,

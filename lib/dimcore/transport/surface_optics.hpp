@@ -8,16 +8,13 @@
 
 namespace dim {
 
-/// How each surface shines, and what light by direction needs of its finish: facets, and in every reflectance
-/// class the albedo and the lobe on patches. Classes in which a finish reflects alike share theirs.
+/// What light by direction needs of the finishes that shine: facets, and in every reflectance class the
+/// albedo and the lobe on patches. Classes in which a finish reflects alike share theirs.
 class SurfaceOptics {
  public:
-  SurfaceOptics(const Zone& zone, const ReflectanceClasses& classes, const PatchGrid& lobe_grid);
-
-  Shininess of_surface(std::size_t surface) const { return of_surface_[surface]; }
-  const PatchGrid& grid() const { return grid_; }
-  std::size_t n_classes() const { return classes_.size(); }
-  const BandReflection& reflection(std::size_t klass, int finish) const { return classes_.at(klass, finish); }
+  /// @param of_surface  see `shininess_of_surfaces`
+  SurfaceOptics(const Zone& zone, const ReflectanceClasses& classes, const std::vector<Shininess>& of_surface,
+                const PatchGrid& lobe_grid);
 
   /// Of an off-specular finish.
   const LobeMatrix& lobe(std::size_t klass, int finish) const { return *in_class(klass, finish).lobe; }
@@ -42,11 +39,9 @@ class SurfaceOptics {
   const InClass& in_class(std::size_t klass, int finish) const {
     return *in_class_[klass][static_cast<std::size_t>(finish)];
   }
-  void add_finish(const Finish& finish, std::size_t index, Shininess kind);
+  void add_finish(const Finish& finish, std::size_t index, Shininess kind, const ReflectanceClasses& classes,
+                  const PatchGrid& grid);
 
-  const ReflectanceClasses& classes_;
-  PatchGrid grid_;
-  std::vector<Shininess> of_surface_;
   std::vector<std::unique_ptr<Facets>> facets_;                        // [n_finishes]
   std::vector<std::vector<std::shared_ptr<const InClass>>> in_class_;  // [n_classes][n_finishes]
 };
