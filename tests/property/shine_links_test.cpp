@@ -77,7 +77,7 @@ TEST_CASE("Energy closes to rounding with lobes, mirrors, families, open zones a
       CAPTURE(tolerance, column.received, column.absorbed, column.escaped, column.dropped, column.unbalanced);
       CHECK(std::abs(spent - column.received) <= 1e-6 * column.received);
       CHECK(column.absorbed > 0.0);
-      CHECK(column.escaped >= (kind == 4 ? 0.1 * column.received : 0.0));
+      CHECK(column.escaped >= (kind == 4 ? 0.1 : -1e-12) * column.received);
     }
   }
 }
