@@ -62,14 +62,13 @@ Receiver cell_receiver(const Zone& zone, const Cells& cells, std::size_t cell) {
 }
 
 std::vector<PairIntegrator> make_integrators(const Zone& zone, const std::vector<LightSource>& sources,
-                                             const Obstructions& obstructions, bool in_the_way) {
+                                             const Obstructions& obstructions, const PairOptions& options) {
   std::vector<PairIntegrator> integrators;
   integrators.reserve(sources.size());
   for (const auto& source : sources) {
-    PairOptions options;
-    options.typical_lx = obstructions.typical_lx(source.original);
-    options.in_the_way = in_the_way;
-    integrators.emplace_back(zone, obstructions.caster(), obstructions.shadows(), source, options);
+    PairOptions own = options;
+    own.typical_lx = obstructions.typical_lx(source.original);
+    integrators.emplace_back(zone, obstructions.caster(), obstructions.shadows(), source, own);
   }
   return integrators;
 }

@@ -39,9 +39,8 @@ void direct_light(const Zone& zone, const Cells& cells, const std::vector<PairIn
 Receiver cell_receiver(const Zone& zone, const Cells& cells, std::size_t cell);
 
 /// One integrator a source; they point into `zone`, `sources` and `obstructions`.
-/// @param in_the_way  false where no surface can be (see `is_convex_and_empty`): visibility is then not
-/// tested
+/// @param options  the typical illuminance is each source's own, whatever is given here
 std::vector<PairIntegrator> make_integrators(const Zone& zone, const std::vector<LightSource>& sources,
-                                             const Obstructions& obstructions, bool in_the_way = true);
+                                             const Obstructions& obstructions, const PairOptions& options = {});
 
 }  // namespace dim

@@ -99,9 +99,9 @@ DirectEstimate PairIntegrator::mean(const Receiver& receiver, PlatesBetween& bet
   const double free_lx = free(pair, 0);
   if (!(free_lx > 0.0) || !test_visibility_) return {free_lx, 0.0};
   Chance chance(receiver.stream ^ source_.stream);
-  const double importance =
-      options_.typical_lx > 0.0 && !receiver.is_point() ? std::min(1.0, free_lx / options_.typical_lx) : 1.0;
-  const double lines = std::max(2.0, options_.shadow_lines * importance);
+  const double importance = options_.typical_lx > 0.0 ? std::min(1.0, free_lx / options_.typical_lx) : 1.0;
+  const double lines = receiver.is_point() ? options_.shadow_lines * std::max(0.5, importance)
+                                           : std::max(2.0, options_.shadow_lines * importance);
   const bool ray = receiver.is_point() && opening.ring.size() == 1;
   if (ray) return {blocked(receiver.ring[0], opening.ring[0], receiver.skip) ? 0.0 : free_lx, 0.0};
   if (!options_.in_the_way && mirrors_pass_all(zone_, source_, {cell.ring.begin(), cell.ring.end()},

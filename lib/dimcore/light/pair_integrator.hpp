@@ -35,8 +35,9 @@ struct PlatesBetween {
 };
 
 struct PairOptions {
-  /// Lines along which the visible share of a pair is found where something is in the way. A cell that gets
-  /// less than the source's typical illuminance has in proportion fewer; points have all.
+  /// Lines along which the visible share of a cell is found where something is in the way; a cell that gets
+  /// less than the source's typical illuminance has in proportion fewer; points, which are read one by one, half
+  /// of them at least.
   int shadow_lines = 128;
   double typical_lx = 0.0;   ///< see `typical_illuminance_lx`; 0: every cell has all
   bool in_the_way = true;    ///< false where nothing can be: visibility is not tested (mirrors' edges are)

@@ -83,7 +83,7 @@ class Builder {
     orders_.push_back(std::make_unique<Order>());
     Order& order = *orders_.back();
     order.sources = std::move(sources);
-    order.integrators = make_integrators(room_.zone, order.sources, room_.obstructions, plan_.tests_visibility);
+    order.integrators = make_integrators(room_.zone, order.sources, room_.obstructions, plan_.pairs());
     return order;
   }
 

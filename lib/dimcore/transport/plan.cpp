@@ -44,6 +44,13 @@ void check_finishes(const Zone& zone, const Bands& bands, const ReflectanceClass
   problems.throw_if_any();
 }
 
+// As many as keep the error along the edges of shadows near the request: it falls a little faster than the
+// number of lines rises, from 0.3 % rms of the unobstructed light at 128.
+int shadow_lines(double tolerance) {
+  constexpr double kLeast = 16.0, kMost = 512.0, kUsual = 128.0;
+  return static_cast<int>(std::clamp(kUsual * GatherOptions{}.tolerance / tolerance, kLeast, kMost));
+}
+
 // The finishes of surfaces, by how they shine, each named once.
 void name_finishes(ModelPlan& plan, const Zone& zone) {
   std::vector<bool> named(zone.finishes.size(), false);
@@ -119,6 +126,7 @@ ModelPlan make_plan(const Room& room, const SimulationOptions& options) {
   plan.of_surface = shininess_of_surfaces(room.zone, plan.classes, plan.lobe_grid);
   plan.has_mirrors = std::count(plan.of_surface.begin(), plan.of_surface.end(), Shininess::mirror) > 0;
   plan.tests_visibility = options.always_test_visibility || !is_convex_and_empty(room.zone, room.lights);
+  plan.shadow_lines = shadow_lines(options.gather.tolerance);
   name_finishes(plan, room.zone);
   count_spectra(plan, room.lights);
   count_cells(plan, room);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "light/pair_integrator.hpp"
 #include "transport/optics.hpp"
 #include "transport/room.hpp"
 #include "transport/source.hpp"
@@ -20,6 +21,7 @@ struct ModelPlan {
   PatchGrid lobe_grid;                 ///< of light by direction
   bool has_mirrors = false;
   bool tests_visibility = true;        ///< something can stand in light's way
+  int shadow_lines = 128;              ///< see `PairOptions`; more for a smaller tolerance
 
   /// As it is told: finishes of surfaces by class, and counts.
   std::vector<std::string> diffusing, off_specular, mirrors;
@@ -37,6 +39,7 @@ struct ModelPlan {
   /// Columns of direct light: where no mirror colours it every class has the same.
   std::size_t n_direct_columns() const { return has_mirrors ? n_columns() : n_sources(); }
   std::size_t column(std::size_t source, std::size_t klass) const { return klass * n_sources() + source; }
+  PairOptions pairs() const { return {.shadow_lines = shadow_lines, .in_the_way = tests_visibility}; }
 };
 
 /// Whether no surface can come between two points of the zone, luminaires included: closed, bounding surfaces

@@ -56,7 +56,7 @@ class OneLuminaire {
     order_ = std::move(*next);
     n_ += order_.size();
     ++depth_;
-    const auto integrators = make_integrators(room_.zone, order_, room_.obstructions, plan_.tests_visibility);
+    const auto integrators = make_integrators(room_.zone, order_, room_.obstructions, plan_.pairs());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, series_.size(), 4), [&](const auto& range) {
       for (std::size_t p = range.begin(); p != range.end() && !job.stopped(); ++p) add_order(p, integrators);
     });
