@@ -51,7 +51,8 @@ TEST_CASE("A wrong sky is refused with what is wrong with it", "[sky][unit]") {
 }
 
 TEST_CASE("A standard sky gives the illuminance asked for and has no sun", "[sky][unit]") {
-  const auto light = daylight_of(std::get<StandardSky>(parse_sky_spec("cie-12:20000@40,150")));
+  const auto light =
+      daylight_of(sky_and_sun_of(std::get<StandardSky>(parse_sky_spec("cie-12:20000@40,150"))));
   CHECK(light.horizontal_lx() == 20000.0);
   CHECK(light.direct_normal_lx == 0.0);
   CHECK(light.sky.luminance_cd_m2(light.sun) > light.sky.luminance_cd_m2({0, 0, 1}));

@@ -135,28 +135,63 @@ double SkyModel::operator()(const Vec3& direction, const Vec3& sun) const {
   return std::max(0.0, gradation * (k_ + c_ * std::exp(d_ * chi) + e_ * cosine * cosine));
 }
 
+namespace {
+
+/// Luminances of the patches for a model's relative ones: see Sky::patch_means_cd_m2.
+struct RelativePatches {
+  std::vector<double> means;
+  double horizontal_sr = 0.0;
+};
+
+template <typename Rule>
+RelativePatches relative_patches(const SkyModel& model, const Vec3& sun, const SkyPatches& patches) {
+  RelativePatches relative{std::vector<double>(patches.size())};
+  SkySums all;
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    const auto sums = integrate_sky<Rule>(patches.box(p), sun, [&](const Vec3& d) { return model(d, sun); });
+    relative.means[p] = sums.sr / patches.solid_angle_sr(p);
+    all.horizontal_sr += sums.horizontal_sr;
+    all.cylinder_sr += sums.cylinder_sr;
+  }
+  if (!model.is_table()) tilt_to(all, patches, relative.means);
+  relative.horizontal_sr = all.horizontal_sr;
+  return relative;
+}
+
+/// Factor from relative to absolute luminance.
+double scale_of(double horizontal_lx, double relative_horizontal_sr) {
+  if (horizontal_lx == 0.0) return 0.0;
+  if (!(relative_horizontal_sr > 0.0)) throw InternalError("a sky without light cannot be scaled");
+  return horizontal_lx / relative_horizontal_sr;
+}
+
+}  // namespace
+
 Sky::Sky(SkyModel model, const Vec3& sun, double horizontal_lx)
     : model_(std::move(model)), sun_(sun), horizontal_lx_(horizontal_lx) {
   // By patches, in which a table is constant.
   const SkyPatches patches;
   double sum = 0.0;
   for (std::size_t p = 0; p < patches.size(); ++p)
-    sum += integrate_sky(patches.box(p), sun_, [&](const Vec3& d) { return model_(d, sun_); }).horizontal_sr;
-  if (!(sum > 0.0) && horizontal_lx > 0.0) throw InternalError("a sky without light cannot be scaled");
-  scale_ = horizontal_lx > 0.0 ? horizontal_lx / sum : 0.0;
+    sum += integrate_sky<FineSky>(patches.box(p), sun_, [&](const Vec3& d) {
+             return model_(d, sun_);
+           }).horizontal_sr;
+  scale_ = scale_of(horizontal_lx, sum);
 }
 
 std::vector<double> Sky::patch_means_cd_m2(const SkyPatches& patches) const {
-  std::vector<double> means(patches.size());
-  SkySums exact;
-  for (std::size_t p = 0; p < patches.size(); ++p) {
-    const auto sums = integrate_sky(patches.box(p), sun_, [&](const Vec3& d) { return model_(d, sun_); });
-    means[p] = scale_ * sums.sr / patches.solid_angle_sr(p);
-    exact.horizontal_sr += scale_ * sums.horizontal_sr;
-    exact.cylinder_sr += scale_ * sums.cylinder_sr;
-  }
-  if (!model_.is_table()) tilt_to(exact, patches, means);
-  return means;
+  auto relative = relative_patches<FineSky>(model_, sun_, patches);
+  for (double& mean : relative.means) mean *= scale_;
+  return std::move(relative.means);
+}
+
+std::vector<double> quick_patch_means_cd_m2(const SkyModel& model, const Vec3& sun, double horizontal_lx,
+                                            const SkyPatches& patches) {
+  if (horizontal_lx == 0.0) return std::vector<double>(patches.size(), 0.0);
+  auto relative = relative_patches<QuickSky>(model, sun, patches);
+  const double scale = scale_of(horizontal_lx, relative.horizontal_sr);
+  for (double& mean : relative.means) mean *= scale;
+  return std::move(relative.means);
 }
 
 }  // namespace dim

@@ -123,14 +123,14 @@ SkySpec parse_sky_spec(std::string_view text) {
   return standard_sky(text, static_cast<int>(type), rest);
 }
 
-Daylight daylight_of(const StandardSky& sky) {
+SkyAndSun sky_and_sun_of(const StandardSky& sky) {
   const Vec3 sun = sky_direction(sky.sun_altitude_rad, sky.sun_azimuth_rad);
-  return {Sky(sky.cie_type == 0 ? SkyModel::overcast() : SkyModel::cie(sky.cie_type), sun, sky.horizontal_lx),
-          sun, 0.0};
+  return {sky.cie_type == 0 ? SkyModel::overcast() : SkyModel::cie(sky.cie_type), sun, sky.horizontal_lx,
+          0.0};
 }
 
-Daylight daylight_of(const PerezSky& sky) {
-  return perez_daylight(sky_direction(sky.sun_altitude_rad, sky.sun_azimuth_rad), sky.irradiance);
+SkyAndSun sky_and_sun_of(const PerezSky& sky) {
+  return perez_sky_and_sun(sky_direction(sky.sun_altitude_rad, sky.sun_azimuth_rad), sky.irradiance);
 }
 
 }  // namespace dim

@@ -40,7 +40,7 @@ using SkySpec = std::variant<StandardSky, PerezSky, WeatherMoment>;
 SkySpec parse_sky_spec(std::string_view text);
 
 /// The sky itself.
-Daylight daylight_of(const StandardSky& sky);
-Daylight daylight_of(const PerezSky& sky);
+SkyAndSun sky_and_sun_of(const StandardSky& sky);
+SkyAndSun sky_and_sun_of(const PerezSky& sky);
 
 }  // namespace dim
