@@ -206,7 +206,7 @@ TEST_CASE("A plane is judged by half and by 95 per cent of its points", "[climat
 }
 
 TEST_CASE("Daylight hours are the brightest half of the year", "[climate][metrics][unit]") {
-  AnnualSky sky{SkyPatches(1)};
+  AnnualSky sky(1);
   sky.n_steps = 8760;
   for (std::size_t i = 0; i < 8760; ++i) sky.sky_horizontal_lx.push_back(i % 2 ? 1000.0 : 10.0);
   const auto steps = daylight_steps(sky);

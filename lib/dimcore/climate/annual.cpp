@@ -100,7 +100,7 @@ void add_sun(const Year& year, const LaneCoefficients& lanes, std::size_t in_blo
 }  // namespace
 
 AnnualSky annual_sky(const Weather& weather, int subdivision, double ground_reflectance, const Job& job) {
-  AnnualSky sky{SkyPatches(subdivision)};
+  AnnualSky sky(subdivision);
   sky.step_h = weather.step_h;
   sky.n_steps = weather.steps.size();
   sky.sky_horizontal_lx.assign(sky.n_steps, 0.0);

@@ -12,6 +12,8 @@ namespace dim {
 
 /// The light outside at every step of a weather file, in patches.
 struct AnnualSky {
+  explicit AnnualSky(int subdivision) : patches(subdivision) {}
+
   SkyPatches patches;
   double step_h = 1.0;
   std::size_t n_steps = 0;
