@@ -48,18 +48,20 @@ std::vector<float> rows_of_states(const std::vector<float>& columns, const Patch
 }
 
 void add_energy(Solution& solution, const std::vector<ColumnReport>& columns,
-                const std::vector<FirstFlight>& flights) {
+                const std::vector<FirstFlight>& flights, const std::vector<std::vector<double>>& class_flux_lm) {
   const std::size_t n_sources = solution.sources.size();
   for (std::size_t s = 0; s < n_sources; ++s) {
     Source& source = solution.sources[s];
     for (std::size_t b = 0; b < solution.bands.size(); ++b) {
-      const auto& column = columns[solution.classes.of_band[b] * n_sources + s];
+      const std::size_t klass = solution.classes.of_band[b];
+      const auto& column = columns[klass * n_sources + s];
       const double watts = source.watts_per_lumen(b);
+      const double flux_lm = class_flux_lm[s].empty() ? source.flux_lm : class_flux_lm[s][klass];
       EnergyBalance energy;
-      energy.emitted_W = source.flux_lm * watts;
+      energy.emitted_W = flux_lm * watts;
       energy.absorbed_W = column.absorbed * watts;
-      energy.escaped_W = (column.escaped + flights[s].escaped * source.flux_lm) * watts;
-      energy.lost_W = flights[s].lost * source.flux_lm * watts;
+      energy.escaped_W = (column.escaped + flights[s].escaped * flux_lm) * watts;
+      energy.lost_W = flights[s].lost * flux_lm * watts;
       energy.dropped_W = column.dropped * watts;
       const double accounted = energy.absorbed_W + energy.escaped_W + energy.lost_W + energy.dropped_W;
       energy.imbalance = energy.emitted_W > 0.0 ? 1.0 - accounted / energy.emitted_W : 0.0;

@@ -18,9 +18,10 @@ std::vector<float> rows_of_states(const std::vector<float>& columns, const Patch
                                   std::size_t n_sources, std::size_t n_columns);
 
 /// Fills the energy balance and the convergence figures of `solution.sources` from the ends of the columns.
-/// @param flights  [n_sources]
+/// @param flights        [n_sources]
+/// @param class_flux_lm  [n_sources] flux of sources that send another in each class [n_classes]; else empty
 void add_energy(Solution& solution, const std::vector<ColumnReport>& columns,
-                const std::vector<FirstFlight>& flights);
+                const std::vector<FirstFlight>& flights, const std::vector<std::vector<double>>& class_flux_lm);
 
 /// @throws InputError  naming the first source whose light is beyond what single precision holds
 void check_storable(const Solution& solution);

@@ -27,6 +27,7 @@ struct ModelPlan {
       0.0;  ///< share of the light rays collect that had met too many mirrors to go on
   bool tests_visibility = true;
   std::size_t bytes_per_sink = 2;
+  std::vector<std::string> daylight;  ///< what is modelled of the outside, in words; empty without it
   std::size_t n_black_cells = 0;  ///< reflect nothing: nothing is sent from them
 };
 

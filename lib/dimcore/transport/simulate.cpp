@@ -9,6 +9,7 @@
 #include "transport/assembly.hpp"
 #include "transport/auto_bands.hpp"
 #include "network/with_bodies.hpp"
+#include "transport/daylight_columns.hpp"
 #include "transport/direct_columns.hpp"
 #include "transport/shine_memory.hpp"
 
@@ -23,12 +24,6 @@ void check_finishes(const Zone& zone, const Bands& bands, const ReflectanceClass
   Problems problems;
   for (std::size_t f = 0; f < zone.finishes.size(); ++f) {
     const auto& finish = zone.finishes[f];
-    if (finish.kind == FinishKind::glazing) {
-      problems.add(
-          {}, fmt::format("finish '{}' is a glazing; this version models opaque finishes only", finish.name),
-          fmt::format("use --finish {}=ENTRY with an opaque entry", finish.name));
-      continue;
-    }
     for (std::size_t b = 0; b < bands.size(); ++b) {
       const double rho = classes.at(classes.of_band[b], static_cast<int>(f)).diffuse;
       if (!(rho < 1.0))
@@ -144,20 +139,31 @@ Solution simulate_room(const Zone& zone, const Cells& cells, const Network& netw
   const ReflectanceClasses classes = classify(zone, options.bands, options.solve_every_band, &seen);
   check_finishes(zone, options.bands, classes);
   Sources sources = make_sources(lights, options.bands, options.combine);
+  const Obstructions obstructions(zone, lights);
+  std::optional<DaylightSources> daylight;
+  std::vector<std::vector<double>> class_flux_lm(sources.sources.size());
+  if (lights.sky) {
+    daylight.emplace(zone, *lights.sky, classes, obstructions, options.combine, options.bands, sources.sources.size(),
+                     job);
+    daylight->append_to(sources.sources, class_flux_lm);
+  }
   const std::size_t n_sources = sources.sources.size(), n_classes = classes.size();
   const std::size_t n_columns = n_sources * n_classes;
   check_size(cells.size(), zone.points.size(), n_sources, n_classes, options.bands.size(), job);
 
-  const Obstructions obstructions(zone, lights);
   const MirrorRayOptions mirror_rays;
   check_shine_size(
       shine_memory(zone, cells, network, classes, obstructions.caster(), mirror_rays, n_columns), job);
   const Shine shine(zone, cells, network, classes, obstructions.caster(), mirror_rays, job);
-  const auto flights = source_flights(zone, network, lights, sources, job, warnings);
+  auto flights = source_flights(zone, network, lights, sources, job, warnings);
   const bool in_the_way = options.always_test_visibility || !is_convex_and_empty(zone, lights);
   DirectColumns direct = direct_columns(zone, cells, network, lights, classes, shine, obstructions,
                                         sources.of_luminaire, n_sources,
                                         {options.gather.tolerance, options.mirror_depth}, in_the_way, job);
+  if (daylight) {
+    daylight->add_to(direct, n_sources, n_classes, zone, cells, job);
+    daylight->add_flights(flights);
+  }
   Reflectances reflectances{n_classes, std::vector<double>(zone.surfaces.size() * n_classes),
                             std::vector<std::size_t>(n_columns)};
   for (std::size_t c = 0; c < n_columns; ++c) reflectances.class_of_column[c] = c / n_sources;
@@ -200,7 +206,11 @@ Solution simulate_room(const Zone& zone, const Cells& cells, const Network& netw
   solution.directional.grid = shine.grid();
   solution.directional.cells = shine.off_specular();
   solution.directional.total = rows_of_states(gathered.psi, shine.grid(), n_sources, n_columns);
-  add_energy(solution, gathered.columns, flights);
+  if (daylight) {
+    solution.sky = daylight->record();
+    daylight->complete(solution.sources, class_flux_lm, gathered.columns);
+  }
+  add_energy(solution, gathered.columns, flights, class_flux_lm);
   check_storable(solution);
   return solution;
 }

@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "hemisphere/patches.hpp"
+#include "light/outside_light.hpp"
 #include "spectrum/bands.hpp"
 #include "transport/optics.hpp"
 #include "transport/plan.hpp"
@@ -24,12 +26,28 @@ struct EnergyBalance {
   double imbalance = 0.0;
 };
 
-/// What is solved as one: a luminaire, a group of them or all, with one spectrum.
+/// What a source of daylight is: a part of the outside through a group of windows (`Source::group`) in one state.
+struct DaylightOrigin {
+  DaylightPart part = DaylightPart::sky;
+  int patch = -1;         ///< of coefficients; -1: the whole sky, ground or sun
+  std::string state;      ///< of the windows
+  bool as_it_stands = true;  ///< the state they have in the zone file; others count where they are asked for
+};
+
+/// The outside that a solution was made for.
+struct SkyRecord {
+  int subdivision = 0;         ///< of coefficients: 1, 2 or 4, every patch and the ground at 1 cd/m2; 0: one sky
+  double horizontal_lx = 0.0;  ///< one sky: unobstructed, of the sky alone
+  double ground_reflectance = 0.2;
+};
+
+/// What is solved as one: a luminaire, a group of them or all, with one spectrum; or a part of daylight.
 struct Source {
   std::string name;
   std::string group;
   std::vector<std::string> luminaires;
-  double flux_lm = 0.0;
+  double flux_lm = 0.0;  ///< of windows: what comes in
+  std::optional<DaylightOrigin> daylight;
   BandWeights weights;
   std::vector<EnergyBalance> energy;  ///< [n_bands]
   int iterations = 0;
@@ -43,7 +61,8 @@ struct Source {
   std::vector<Vec3> xyz_by_class(const ReflectanceClasses& classes) const;
 };
 
-/// The source and band whose energy balance is open the most, among those with any light.
+/// The source and band whose energy balance is open the most, among those with any light. All light through a group
+/// of windows in one state counts as one source, the first: what single patches of the sky send is known by few rays.
 struct WorstBalance {
   std::size_t source = 0, band = 0;
   double imbalance = 0.0;  ///< signed; 0 where no source has any light
@@ -76,6 +95,7 @@ struct Solution {
   std::vector<float> cell_direct, cell_total;
   std::vector<float> point_direct, point_total;
   Directional directional;
+  std::optional<SkyRecord> sky;
   ModelPlan plan;
   std::vector<int> mirror_depth;  ///< [n_luminaires] that cells have images of each in; empty: none
   std::map<std::string, double> counters;  ///< what was done: rays by kind, culled pairs, iterations …
