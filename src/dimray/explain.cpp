@@ -45,7 +45,10 @@ void explain(Program& program, const Solution& solution, const BandChoice& bands
                                        plan.n_bodies, plan.n_body_cells));
   if (!plan.without_spectrum.empty())
     say("fittings without a spectrum, taken as equal-energy white: " + list(plan.without_spectrum));
-  say("no glazing: no sky");
+  if (plan.daylight.empty())
+    say("no light from outside: no sky");
+  else
+    for (const auto& line : plan.daylight) say(line);
   say(plan.tests_visibility
           ? "surfaces may hide each other: visibility of luminaires is tested"
           : "convex and empty zone: visibility of luminaires is not tested (--full visibility)");

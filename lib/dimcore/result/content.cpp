@@ -71,6 +71,12 @@ ResultContent content_of(const Zone& zone, const Cells& cells, const Lights& lig
     spectrum = {fitting.spectrum, spectrum.known && fitting.has_spectrum};
     content.luminaires.push_back(shown(luminaire, source, l < solution.mirrors.depth.size() ? solution.mirrors.depth[l] : 0));
   }
+  content.sky = solution.sky;
+  for (std::size_t s = 0; s < solution.sources.size() && lights.sky; ++s) {
+    if (const auto& daylight = solution.sources[s].daylight)
+      content.spectra[s].curve =
+          daylight->part == DaylightPart::sun ? lights.sky->sun_spectrum : lights.sky->sky_spectrum;
+  }
   for (const auto& fitting : lights.fittings) {
     content.photometry.push_back({fitting.name, fitting.intensity.flux_lm(), fitting.watts,
                                   mean_intensity(fitting.intensity), intensities_shown(fitting.intensity)});

@@ -9,8 +9,11 @@
 #include <utility>
 
 #include "database/toml_reader.hpp"
+#include "geometry/area_sampler.hpp"
 #include "scene/face_source.hpp"
 #include "scene/finish_reader.hpp"
+#include "scene/inside_test.hpp"
+#include "scene/openings.hpp"
 #include "scene/outline_check.hpp"
 #include "scene/placement_check.hpp"
 #include "scene/receiver_reader.hpp"
@@ -104,19 +107,20 @@ class ZoneReader {
     }
   }
 
-  int finish_of(const FaceSource& face) {
+  int finish_of(const FaceSource& face) { return finish_of(face, face.finish, face.finish_place); }
+
+  int finish_of(const FaceSource& face, const std::string& name, const Place& place) {
     if (finish_index_.empty()) {
       for (std::size_t i = 0; i < zone_.finishes.size(); ++i)
         finish_index_.emplace(zone_.finishes[i].name, static_cast<int>(i));
     }
-    const auto found = finish_index_.find(face.finish);
+    const auto found = finish_index_.find(name);
     if (found != finish_index_.end()) return found->second;
     // The six faces of a box share one place.
-    if (!reported_finishes_.emplace(face.finish_place.line, face.finish_place.column).second) return -1;
-    auto cure = did_you_mean(face.finish, keys(finish_index_));
-    if (cure.empty()) cure = fmt::format("write it in [finishes]: {} = 0.5", face.finish);
-    problems_.add(face.finish_place, fmt::format("surface '{}': no finish '{}'", face.name, face.finish),
-                  cure);
+    if (!reported_finishes_.emplace(place.line, place.column).second) return -1;
+    auto cure = did_you_mean(name, keys(finish_index_));
+    if (cure.empty()) cure = fmt::format("write it in [finishes]: {} = 0.5", name);
+    problems_.add(place, fmt::format("surface '{}': no finish '{}'", face.name, name), cure);
     return -1;
   }
 
@@ -140,10 +144,71 @@ class ZoneReader {
     surface.outside = face.outside;
     surface.bounding = !face.of_box && !face.two_sided && !face.outside;
     surface.place = face.vertices_place;
+    set_window(face, surface);
     planarity_m_ = std::max(planarity_m_, planarity_error_m(outline));
     links_.push_back({face.on, face.on_place, face.of_box});
     zone_.surfaces.push_back(std::move(surface));
     if (face.two_sided) add_back();
+  }
+
+  // What a glazed surface has beyond others; both belong to nothing else.
+  void set_window(const FaceSource& face, Surface& surface) {
+    const auto glazed = [&](int finish) {
+      return zone_.finishes[static_cast<std::size_t>(finish)].kind == FinishKind::glazing;
+    };
+    if (!glazed(surface.finish)) {
+      if (!face.group.empty() || !face.states.empty())
+        problems_.add(face.finish_place,
+                      fmt::format("surface '{}' has a window's group or states, but its finish '{}' is no glazing",
+                                  face.name, face.finish),
+                      "take a finish of kind = \"glazing\"");
+      return;
+    }
+    if (face.of_box || face.two_sided)
+      problems_.add(face.finish_place,
+                    fmt::format("surface '{}' is glazed, but not part of the zone's shell: glass inside a zone is "
+                                "not modelled",
+                                face.name),
+                    "model one zone on each side, or leave the glass out");
+    if (face.outside) return;
+    surface.group = face.group.empty() ? face.name : face.group;
+    for (const auto& state : face.states) {
+      const int finish = finish_of(face, state.finish, state.place);
+      if (finish < 0) continue;
+      if (!glazed(finish))
+        problems_.add(state.place,
+                      fmt::format("surface '{}': state '{}' has the finish '{}', which is no glazing", face.name,
+                                  state.name, state.finish),
+                      "a drawn blind is a glazing too, by what glass and blind let pass");
+      surface.states.push_back({state.name, finish});
+    }
+  }
+
+  void refuse_inner(const Surface& surface) {
+    problems_.add(surface.place,
+                  fmt::format("surface '{}' is glazed and has the zone on both sides: glass inside a zone is not "
+                              "modelled",
+                              surface.name),
+                  "model one zone on each side, or leave the glass out");
+  }
+
+  // Glass behind whose outer face the zone goes on. Surfaces are whole still, so that rays meet all of the shell.
+  void refuse_inner_windows() {
+    const InsideTest inside(zone_.surfaces, zone_.diameter_m, zone_.closed);
+    const double step_m = 1e-5 * zone_.diameter_m;
+    for (const auto& surface : zone_.surfaces) {
+      if (!zone_.closed || !is_window(zone_, surface)) continue;
+      const Polygon& polygon = surface.polygon;
+      const Vec3 on_glass = polygon.frame().to_world(AreaSampler(polygon.rings()).point(0.5, 0.5));
+      if (!inside.outside(on_glass - step_m * polygon.normal())) refuse_inner(surface);
+    }
+  }
+
+  // Two [[surface]] back to back are known as a partition once contacts are found.
+  void refuse_windows_in_partitions() {
+    for (const auto& surface : zone_.surfaces)
+      if (surface.twin >= 0 && is_window(zone_, surface)) refuse_inner(surface);
+    problems_.throw_if_any();
   }
 
   void add_back() {
@@ -162,16 +227,19 @@ class ZoneReader {
     const double touch_m = touch_tolerance_m(zone_.surfaces);
     join_features(zone_.surfaces, links_, touch_m, problems_);
     problems_.throw_if_any();
-    const auto shell =
-        check_shell(zone_.surfaces, frame_, std::max(touch_m, 2.0 * planarity_m_), problems_, warnings_);
+    const double meet_m = std::max(touch_m, 2.0 * planarity_m_);
+    const auto shell = check_shell(zone_.surfaces, frame_, meet_m, problems_, warnings_);
     zone_.volume_m3 = shell.volume_m3;
     zone_.closed = shell.closed;
+    if (!shell.closed) zone_.openings = find_openings(zone_.surfaces, shell.leaking, meet_m);
     warn_of_size(zone_, unit_place_, warnings_);
     warn_of_placement(zone_, links_, eyes(), frame_, touch_m, warnings_);
+    refuse_inner_windows();
     cut_features(zone_.surfaces, touch_m);
     refuse_overlaps(zone_.surfaces, touch_m, problems_);
     problems_.throw_if_any();
     remove_contacts(zone_.surfaces, links_, touch_m, warnings_);
+    refuse_windows_in_partitions();
   }
 
   std::vector<Place> eyes() const {

@@ -49,18 +49,20 @@ std::vector<float> rows_of_states(const std::vector<float>& columns, const Patch
 
 // Fills the energy balance and the convergence figures of sources from the ends of the columns.
 void add_energy(Solution& solution, const std::vector<ColumnReport>& columns,
-                const std::vector<FirstFlight>& flights) {
+                const std::vector<FirstFlight>& flights, const std::vector<std::vector<double>>& class_flux_lm) {
   const std::size_t n_sources = solution.sources.size();
   for (std::size_t s = 0; s < n_sources; ++s) {
     Source& source = solution.sources[s];
     for (std::size_t b = 0; b < solution.bands.size(); ++b) {
-      const auto& column = columns[solution.classes.of_band[b] * n_sources + s];
+      const std::size_t klass = solution.classes.of_band[b];
+      const auto& column = columns[klass * n_sources + s];
       const double watts = source.watts_per_lumen(b);
+      const double flux_lm = class_flux_lm[s].empty() ? source.flux_lm : class_flux_lm[s][klass];
       EnergyBalance energy;
-      energy.emitted_W = source.flux_lm * watts;
+      energy.emitted_W = flux_lm * watts;
       energy.absorbed_W = column.absorbed * watts;
-      energy.escaped_W = (column.escaped + flights[s].escaped * source.flux_lm) * watts;
-      energy.lost_W = flights[s].lost * source.flux_lm * watts;
+      energy.escaped_W = (column.escaped + flights[s].escaped * flux_lm) * watts;
+      energy.lost_W = flights[s].lost * flux_lm * watts;
       energy.dropped_W = column.dropped * watts;
       const double accounted = energy.absorbed_W + energy.escaped_W + energy.lost_W + energy.dropped_W;
       energy.imbalance = energy.emitted_W > 0.0 ? 1.0 - accounted / energy.emitted_W : 0.0;
@@ -110,13 +112,13 @@ Assembly::Assembly(const Room& room, const ModelPlan& plan, const Shine& shine, 
   solution_.plan = plan;
   solution_.n_cells = room.n_zone_cells;
   solution_.n_points = room.n_points();
-  solution_.n_direct_classes = plan.has_mirrors ? plan.n_classes() : 1;
   solution_.directional.grid = shine.grid();
   solution_.directional.cells = shine.off_specular();
 }
 
 Columns<float> Assembly::add_direct(const DirectColumns& direct) {
   const std::size_t n_sources = plan_.n_sources();
+  solution_.n_direct_classes = direct.n_columns / n_sources;
   solution_.cell_direct =
       rows_of_columns(Columns<float>::from_rows(direct.cell, direct.n_columns), solution_.n_cells, n_sources);
   auto point = Columns<float>::from_rows(direct.point, direct.n_columns);
@@ -129,7 +131,7 @@ Columns<float> Assembly::add_direct(const DirectColumns& direct) {
 }
 
 void Assembly::add_total(Gathered<float> gathered, const DirectColumns& direct,
-                         const std::vector<FirstFlight>& flights) {
+                         const std::vector<FirstFlight>& flights, const DaylightSources* daylight) {
   for (std::size_t c = 0; c < plan_.n_columns() && shine_.any(); ++c) {
     gathered.columns[c].absorbed -= direct.shine.mirrored[c] + direct.shine.not_followed[c];
     gathered.columns[c].dropped += direct.shine.not_followed[c];
@@ -142,7 +144,12 @@ void Assembly::add_total(Gathered<float> gathered, const DirectColumns& direct,
   solution_.directional.total = rows_of_states(gathered.psi, shine_.grid(), n_sources, plan_.n_columns());
   solution_.counters["reflections"] = static_cast<double>(gathered.counts.reflections);
   solution_.counters["link_columns"] = static_cast<double>(gathered.counts.link_columns);
-  add_energy(solution_, gathered.columns, flights);
+  std::vector<std::vector<double>> class_flux_lm(n_sources);
+  if (daylight) {
+    solution_.sky = daylight->record();
+    daylight->take_flux(solution_.sources, class_flux_lm, gathered.columns);
+  }
+  add_energy(solution_, gathered.columns, flights, class_flux_lm);
 }
 
 Solution Assembly::finish() {

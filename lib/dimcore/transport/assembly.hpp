@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "light/first_flight.hpp"
+#include "transport/daylight_columns.hpp"
 #include "transport/direct_columns.hpp"
 #include "transport/gather.hpp"
 #include "transport/solution.hpp"
@@ -23,8 +24,10 @@ class Assembly {
   Columns<float> add_direct(const DirectColumns& direct);
 
   /// All light, the counts, and the energy balance of every source and band.
-  /// @param flights  [n_sources]
-  void add_total(Gathered<float> gathered, const DirectColumns& direct, const std::vector<FirstFlight>& flights);
+  /// @param flights   [n_sources]
+  /// @param daylight  null without a sky
+  void add_total(Gathered<float> gathered, const DirectColumns& direct, const std::vector<FirstFlight>& flights,
+                 const DaylightSources* daylight);
 
   /// @throws InputError  naming the first source whose light is beyond what single precision holds
   Solution finish();

@@ -51,6 +51,15 @@ LampSpectra lamp_spectra(const Lights& lights) {
     lamps.spectra.push_back(lights.fittings[static_cast<std::size_t>(fitting)].spectrum);
     lamps.flux_lm.push_back(flux);
   }
+  if (!lights.sky) return lamps;
+  // How much of it comes in is not known yet: as much as falls on a square metre outside.
+  const auto& now = lights.sky->now;
+  lamps.spectra.push_back(lights.sky->sky_spectrum);
+  lamps.flux_lm.push_back(now ? now->sky.horizontal_lx() : 1.0);
+  if (now && now->direct_normal_lx > 0.0) {
+    lamps.spectra.push_back(lights.sky->sun_spectrum);
+    lamps.flux_lm.push_back(now->direct_normal_lx);
+  }
   return lamps;
 }
 

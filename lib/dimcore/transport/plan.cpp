@@ -24,12 +24,6 @@ void check_finishes(const Zone& zone, const Bands& bands, const ReflectanceClass
   Problems problems;
   for (std::size_t f = 0; f < zone.finishes.size(); ++f) {
     const auto& finish = zone.finishes[f];
-    if (finish.kind == FinishKind::glazing) {
-      problems.add(
-          {}, fmt::format("finish '{}' is a glazing; this version models opaque finishes only", finish.name),
-          fmt::format("use --finish {}=ENTRY with an opaque entry", finish.name));
-      continue;
-    }
     for (std::size_t b = 0; b < bands.size(); ++b) {
       const double rho = classes.at(classes.of_band[b], static_cast<int>(f)).diffuse;
       if (!(rho < 1.0))

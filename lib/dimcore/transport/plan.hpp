@@ -31,6 +31,7 @@ struct ModelPlan {
   std::size_t n_black_cells = 0;               ///< reflect nothing: nothing is sent from them
   std::size_t n_bodies = 0, n_body_cells = 0;  ///< of luminaires, among the zone's surfaces
   std::size_t bytes_per_sink = 2;
+  std::vector<std::string> daylight;  ///< what is modelled of the outside, in words; empty without it
 
   std::size_t n_sources() const { return sources.size(); }
   std::size_t n_classes() const { return classes.size(); }
@@ -46,7 +47,7 @@ struct ModelPlan {
 /// only, none with a corner behind another's plane, no body of a luminaire, no luminaire outside.
 bool is_convex_and_empty(const Zone& zone, const Lights& lights);
 
-/// @throws InputError  finishes that this version does not model (glazing), diffuse reflectance >= 1
+/// @throws InputError  diffuse reflectance >= 1
 ModelPlan make_plan(const Room& room, const SimulationOptions& options);
 
 }  // namespace dim

@@ -1,6 +1,9 @@
 #include "transport/simulate.hpp"
 
+#include <optional>
+
 #include "transport/assembly.hpp"
+#include "transport/daylight_columns.hpp"
 #include "transport/direct_columns.hpp"
 #include "transport/memory_check.hpp"
 #include "transport/source_flights.hpp"
@@ -26,19 +29,25 @@ Gathered<float> inter_reflect(const Room& room, const ModelPlan& plan, const Shi
 Solution simulate(const Zone& zone, const Cells& cells, const Network& network, const Lights& lights,
                   const SimulationOptions& options, const Job& job, Warnings& warnings) {
   const Room room(zone, cells, network, lights, job);
-  const ModelPlan plan = make_plan(room, options);
+  ModelPlan plan = make_plan(room, options);
+  std::optional<const DaylightSources> daylight;
+  if (lights.sky) daylight.emplace(room, plan, options, job).append_to(plan.sources);
   check_memory(room, plan, job);
-  const auto flights = source_flights(room, plan, job, warnings);
+  auto flights = source_flights(room, plan, job, warnings);
 
   const Shine shine(room.zone, room.cells, room.network, plan.classes, room.obstructions.caster(),
                     MirrorRayOptions{}, job);
   DirectColumns direct = direct_columns(room, plan, shine, {options.gather.tolerance, options.mirror_depth}, job);
+  if (daylight) {
+    daylight->add_to(direct, plan, job);
+    daylight->add_flights(flights);
+  }
   Assembly assembly(room, plan, shine, options.bands);
   const auto point_direct = assembly.add_direct(direct);
 
   direct.add_followed();
   auto gathered = inter_reflect(room, plan, shine, direct, point_direct, options, job);
-  assembly.add_total(std::move(gathered), direct, flights);
+  assembly.add_total(std::move(gathered), direct, flights, daylight ? &*daylight : nullptr);
   return assembly.finish();
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,7 @@ struct Solution {
   std::vector<float> cell_direct, cell_total;
   std::vector<float> point_direct, point_total;
   Directional directional;
+  std::optional<SkyRecord> sky;
   ModelPlan plan;
   MirrorOutcome mirrors;
   std::map<std::string, double> counters;  ///< what was done: rays by kind, culled pairs, iterations …

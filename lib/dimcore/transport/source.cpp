@@ -11,6 +11,16 @@ std::string combined_name(const Luminaire& luminaire, Combine how) {
   return how == Combine::group ? luminaire.group : "all";
 }
 
+// Sources of one group and state of windows with what they emit and what of it is accounted for.
+struct Account {
+  std::size_t first;
+  double emitted_W = 0.0, open_W = 0.0;
+};
+
+bool share_account(const Source& a, const Source& b) {
+  return a.daylight && b.daylight && a.group == b.group && a.daylight->state == b.daylight->state;
+}
+
 }  // namespace
 
 CombinedSources combine(const Lights& lights, const Bands& bands, Combine how) {
@@ -46,11 +56,18 @@ std::vector<Vec3> Source::xyz_by_class(const ReflectanceClasses& classes) const 
 
 WorstBalance worst_balance(const std::vector<Source>& sources) {
   WorstBalance worst;
-  for (std::size_t s = 0; s < sources.size(); ++s) {
-    for (std::size_t b = 0; b < sources[s].energy.size(); ++b) {
+  const std::size_t n_bands = sources.empty() ? 0 : sources.front().energy.size();
+  for (std::size_t b = 0; b < n_bands; ++b) {
+    std::vector<Account> accounts;
+    for (std::size_t s = 0; s < sources.size(); ++s) {
+      if (accounts.empty() || !share_account(sources[accounts.back().first], sources[s])) accounts.push_back({s});
       const auto& energy = sources[s].energy[b];
-      if (energy.emitted_W > 0.0 && std::abs(energy.imbalance) > std::abs(worst.imbalance))
-        worst = {s, b, energy.imbalance};
+      accounts.back().emitted_W += energy.emitted_W;
+      accounts.back().open_W += energy.imbalance * energy.emitted_W;
+    }
+    for (const auto& account : accounts) {
+      const double imbalance = account.emitted_W > 0.0 ? account.open_W / account.emitted_W : 0.0;
+      if (std::abs(imbalance) > std::abs(worst.imbalance)) worst = {account.first, b, imbalance};
     }
   }
   return worst;

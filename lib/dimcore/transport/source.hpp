@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "light/outside_light.hpp"
 #include "scene/lights.hpp"
 #include "spectrum/bands.hpp"
 #include "transport/optics.hpp"
@@ -22,12 +24,28 @@ struct EnergyBalance {
   double imbalance = 0.0;
 };
 
-/// What is solved as one: a luminaire, a group of them or all, with one spectrum.
+/// What a source of daylight is: a part of the outside through a group of windows (`Source::group`) in one state.
+struct DaylightOrigin {
+  DaylightPart part = DaylightPart::sky;
+  int patch = -1;         ///< of coefficients; -1: the whole sky, ground or sun
+  std::string state;      ///< of the windows
+  bool as_it_stands = true;  ///< the state they have in the zone file; others count where they are asked for
+};
+
+/// The outside that a solution was made for.
+struct SkyRecord {
+  int subdivision = 0;         ///< of coefficients: 1, 2 or 4, every patch and the ground at 1 cd/m2; 0: one sky
+  double horizontal_lx = 0.0;  ///< one sky: unobstructed, of the sky alone
+  double ground_reflectance = 0.2;
+};
+
+/// What is solved as one: a luminaire, a group of them or all, with one spectrum; or a part of daylight.
 struct Source {
   std::string name;
   std::string group;
   std::vector<std::string> luminaires;
-  double flux_lm = 0.0;
+  double flux_lm = 0.0;  ///< of windows: what comes in
+  std::optional<DaylightOrigin> daylight;
   BandWeights weights;
   std::vector<EnergyBalance> energy;  ///< [n_bands]
   int iterations = 0;
@@ -48,7 +66,8 @@ struct CombinedSources {
 };
 CombinedSources combine(const Lights& lights, const Bands& bands, Combine how);
 
-/// The source and band whose energy balance is open the most, among those with any light.
+/// The source and band whose energy balance is open the most, among those with any light. All light through a group
+/// of windows in one state counts as one source, the first: what single patches of the sky send is known by few rays.
 struct WorstBalance {
   std::size_t source = 0, band = 0;
   double imbalance = 0.0;  ///< signed; 0 where no source has any light
