@@ -14,7 +14,7 @@
 #include "scene/outline_check.hpp"
 #include "scene/placement_check.hpp"
 #include "scene/receiver_reader.hpp"
-#include "scene/surface_cut.hpp"
+#include "scene/surface_overlap.hpp"
 #include "scene/zone_frame.hpp"
 #include "scene/zone_shell.hpp"
 
@@ -162,16 +162,26 @@ class ZoneReader {
     const double touch_m = touch_tolerance_m(zone_.surfaces);
     join_features(zone_.surfaces, links_, touch_m, problems_);
     problems_.throw_if_any();
-    const auto shell =
-        check_shell(zone_.surfaces, frame_, std::max(touch_m, 2.0 * planarity_m_), problems_, warnings_);
-    zone_.volume_m3 = shell.volume_m3;
-    zone_.closed = shell.closed;
+    auto cut = zone_.surfaces;
+    cut_features(cut, touch_m);
+    const auto overlaps = find_overlaps(zone_.surfaces, cut, links_, touch_m, warnings_);
+    cut_overlaps(cut, zone_.surfaces, overlaps, touch_m);
+    check_whole(overlaps, touch_m);
+    problems_.throw_if_any();
+    zone_.surfaces = std::move(cut);
+    remove_contacts(zone_.surfaces, links_, touch_m, warnings_);
+  }
+
+  // Closedness and volume, size, and what stands where; features are still part of their parents.
+  void check_whole(const std::vector<SurfaceOverlap>& overlaps, double touch_m) {
+    auto shell = zone_.surfaces;
+    cut_overlaps(shell, zone_.surfaces, of_bounding(overlaps, zone_.surfaces), touch_m);
+    const auto check =
+        check_shell(shell, frame_, std::max(touch_m, 2.0 * planarity_m_), problems_, warnings_);
+    zone_.volume_m3 = check.volume_m3;
+    zone_.closed = check.closed;
     warn_of_size(zone_, unit_place_, warnings_);
     warn_of_placement(zone_, links_, eyes(), frame_, touch_m, warnings_);
-    cut_features(zone_.surfaces, touch_m);
-    refuse_overlaps(zone_.surfaces, touch_m, problems_);
-    problems_.throw_if_any();
-    remove_contacts(zone_.surfaces, links_, touch_m, warnings_);
   }
 
   std::vector<Place> eyes() const {
