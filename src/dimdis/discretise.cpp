@@ -67,11 +67,11 @@ Exit DiscretiseCommand::run() {
   const Job job = program_.job();
   const Network network = build_network(zone, cells, options, job);
   judge_points(network, zone);
+  warn(program_, input_, left_out_warnings(zone));
   program_.stage(kWritingStage);
   const std::string hash = save_rays(output_, zone, cells, network, job);
   program_.stage("");
 
-  program_.warn(left_out_warnings(zone));
   const std::size_t n_rays = network.sinks.n_rays() + network.point_sinks.n_rays();
   program_.say_verbose(fmt::format(
       "{}, {} x {}, {} x {}: {}", counted(zone.surfaces.size(), "surface"), counted(cells.size(), "cell"),

@@ -15,11 +15,16 @@ struct ZoneInput {
   std::vector<std::string> overrides;
   std::string database;
   double cell_m = 0.0;
+  bool strict = false;
 };
 
 void add_zone_options(CLI::App& app, ZoneInput& input, bool required);
 
-/// Reads and checks the zone; warnings are printed.
+/// Prints warnings; with --strict they are errors.
+/// @throws InputError
+void warn(Program& program, const ZoneInput& input, const Warnings& warnings);
+
+/// Reads and checks the zone and tells its warnings.
 Zone read_zone(Program& program, const ZoneInput& input);
 
 /// dimdis ZONE -o ROOM.rays

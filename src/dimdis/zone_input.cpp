@@ -22,7 +22,13 @@ void add_zone_options(CLI::App& app, ZoneInput& input, bool required) {
       ->default_str("")
       ->type_name("SIZE")
       ->group("Input");
+  app.add_flag("--strict", input.strict, "Every warning is an error")->group("Input");
   add_database_option(app, input.database);
+}
+
+void warn(Program& program, const ZoneInput& input, const Warnings& warnings) {
+  if (input.strict && !warnings.empty()) throw InputError(warnings, warnings.size());
+  program.warn(warnings);
 }
 
 Zone read_zone(Program& program, const ZoneInput& input) {
@@ -31,7 +37,7 @@ Zone read_zone(Program& program, const ZoneInput& input) {
   const std::string text = read_text_file(input.path, kMaxZoneBytes, program.job());
   Zone zone = read_zone(text, input.path == "-" ? "<stdin>" : input.path, input.overrides, input.cell_m,
                         database_search(input.database, input.path), warnings);
-  program.warn(warnings);
+  warn(program, input, warnings);
   check_cells_fit(zone, program.job().memory_limit_bytes);
   return zone;
 }

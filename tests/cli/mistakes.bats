@@ -79,6 +79,16 @@ solve() { lights "$1"; mistake "$2" "$3" "$4" dimray room.rays l.toml -o y.lum; 
   mistake 3 'z.toml:1:1: the zone has no surface' 'at least one' dimdis check z.toml
 }
 
+@test "surfaces that claim the same place" {
+  printf '[[surface]]\nname = "rug"\nfinish = "wood"\nvertices = [[1,1,0],[2,1,0],[2,2,0],[1,2,0]]\n' | cat room.zone.toml - > z.toml
+  mistake 0 "z.toml:.*'rug' and surface 'floor' \(line 14\) overlap in one plane by 1 m2: 'rug' lies on top" 'on = "floor"' dimdis check z.toml
+  mistake 3 "z.toml:.*'rug' and surface 'floor'" 'on = "floor"' dimdis check --strict z.toml
+  mistake 3 "'rug' and surface 'floor'" 'on = "floor"' dimdis --strict z.toml -o x.rays
+  no_trace
+  printf '[[surface]]\nname = "screen"\nfinish = "wood"\nsides = 2\nvertices = [[0.9,0.8,0.5],[2.5,0.8,0.5],[2.5,0.8,1.1],[0.9,0.8,1.1]]\n' | cat room.zone.toml - > z.toml
+  mistake 0 "z.toml:.*'desk.south' and surface 'screen' .*: 'desk.south' lies on top" 'move or shorten' dimdis check z.toml
+}
+
 @test "the wrong file" {
   mistake 3 'room.lights.toml:1:.*is not a zone file' 'begins with dim = "zone/1"' dimdis check room.lights.toml
   mistake 3 'room.rays: is a ray network, not a zone file' 'dimray reads it' dimdis room.rays -o y.rays

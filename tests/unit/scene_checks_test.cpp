@@ -240,12 +240,6 @@ TEST_CASE("Boxes have a positive size, copies an original", "[scene][unit]") {
             "34:6 copy of 'floor': 2 names but 1 displacements | give one [x, y, z] for each name");
 }
 
-TEST_CASE("Surfaces that overlap in one plane are refused, both named", "[scene][unit]") {
-  check_one(with(surface("picture", "vertices = [[1,0,1],[1,0,2],[3,0,2],[3,0,1]]")),
-            "34:12 surface 'picture' and surface 'south' (line 18) overlap in one plane by 2 m2 | write on = "
-            "\"south\" if it is a feature of that surface, or move it");
-}
-
 TEST_CASE("Features lie in their parent's plane, face as it does and stay inside", "[scene][unit]") {
   check_one(
       with(surface("p", "on = \"south\"\nvertices = [[1,0.01,1],[1,0.01,2],[3,0.01,2],[3,0.01,1]]")),
@@ -263,14 +257,6 @@ TEST_CASE("Features lie in their parent's plane, face as it does and stay inside
             "34:6 surface 'p' lies on itself | name the surface that it is cut out of");
   check_one(with(surface("p", "on = \"south\"\nsides = 2\nvertices = [[1,0,1],[1,0,2],[3,0,2],[3,0,1]]")),
             "35:9 surface 'p': a feature on a parent has one side | leave out sides, or on");
-}
-
-TEST_CASE("Features of one parent that overlap are refused", "[scene][unit]") {
-  check_one(with(surface("p", "on = \"south\"\nvertices = [[1,0,1],[1,0,2],[3,0,2],[3,0,1]]") +
-                 surface("q", "on = \"south\"\nvertices = [[2,0,1],[2,0,2],[4,0,2],[4,0,1]]")),
-            "40:12 surface 'q' and surface 'p' (line 35) overlap in one plane by 1 m2 | write on = \"p\" if "
-            "it is a "
-            "feature of that surface, or move it");
 }
 
 TEST_CASE("Views and planes that show or measure nothing are refused", "[scene][unit]") {

@@ -7,27 +7,11 @@
 #include <cmath>
 #include <optional>
 
-#include "geometry/box_tree.hpp"
+#include "scene/surface_boxes.hpp"
 #include "scene/surface_cut.hpp"
 
 namespace dim {
 namespace {
-
-// Boxes along the axes of the largest surface: in a room that is turned as a whole they are as tight as in
-// one that is not.
-std::vector<Box3> boxes_of(const std::vector<Surface>& surfaces) {
-  const auto largest = std::max_element(
-      surfaces.begin(), surfaces.end(),
-      [](const Surface& a, const Surface& b) { return a.polygon.area_m2() < b.polygon.area_m2(); });
-  std::vector<Box3> boxes;
-  for (const auto& surface : surfaces) {
-    Box3 box;
-    for (const auto& p : surface.polygon.rings().front())
-      box.add(largest->polygon.frame().direction_to_local(surface.polygon.frame().to_world(p)));
-    boxes.push_back(box);
-  }
-  return boxes;
-}
 
 struct Corner {
   Vec2 at{0.0};         // in the plane
@@ -116,7 +100,7 @@ std::vector<std::vector<Segment2>> find_joints(const Zone& zone) {
   std::vector<std::vector<Segment2>> joints(surfaces.size());
   if (surfaces.empty()) return joints;
   const double touch_m = touch_tolerance_m(surfaces);
-  const auto boxes = boxes_of(surfaces);
+  const auto boxes = surface_boxes(surfaces);
   const BoxTree tree(boxes);
   const auto find = [&](std::size_t own) {
     const Polygon& polygon = surfaces[own].polygon;

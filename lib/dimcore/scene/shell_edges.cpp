@@ -4,9 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <unordered_map>
 #include <utility>
+
+#include "geometry/box_tree.hpp"
 
 namespace dim {
 namespace {
@@ -127,28 +128,31 @@ void overlap(const Edge& e, const Edge& f, double touch_m, std::vector<Overlap>&
   add(f, e, on_f);
 }
 
-std::vector<std::vector<Overlap>> find_overlaps(const std::vector<Edge>& edges, double touch_m) {
+// Those of the largest polygon: boxes along them are tight in a room that is turned as a whole too.
+Frame axes_of(const std::vector<const Polygon*>& polygons) {
+  const auto largest =
+      std::max_element(polygons.begin(), polygons.end(),
+                       [](const Polygon* a, const Polygon* b) { return a->area_m2() < b->area_m2(); });
+  return largest == polygons.end() ? Frame{} : (*largest)->frame();
+}
+
+Box3 box_of(const Edge& edge, const Frame& axes) {
+  Box3 box;
+  box.add(axes.direction_to_local(edge.a));
+  box.add(axes.direction_to_local(edge.b));
+  return box;
+}
+
+std::vector<std::vector<Overlap>> find_overlaps(const std::vector<Edge>& edges, const Frame& axes,
+                                                double touch_m) {
   std::vector<std::vector<Overlap>> overlaps(edges.size());
-  Vec3 low(std::numeric_limits<double>::max()), high(std::numeric_limits<double>::lowest());
-  for (const auto& e : edges)
-    low = glm::min(low, glm::min(e.a, e.b)), high = glm::max(high, glm::max(e.a, e.b));
-  const Vec3 size = high - low;
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  std::vector<std::pair<double, std::size_t>> order;
-  for (std::size_t i = 0; i < edges.size(); ++i)
-    order.emplace_back(std::min(edges[i].a[axis], edges[i].b[axis]), i);
-  std::sort(order.begin(), order.end());
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    const Edge& e = edges[order[k].second];
-    const Vec3 e_low = glm::min(e.a, e.b) - touch_m, e_high = glm::max(e.a, e.b) + touch_m;
-    for (std::size_t m = k + 1; m < order.size() && order[m].first <= e_high[axis]; ++m) {
-      const Edge& f = edges[order[m].second];
-      const Vec3 f_low = glm::min(f.a, f.b), f_high = glm::max(f.a, f.b);
-      if (f_low.x > e_high.x || f_high.x < e_low.x || f_low.y > e_high.y || f_high.y < e_low.y ||
-          f_low.z > e_high.z || f_high.z < e_low.z)
-        continue;
-      overlap(e, f, touch_m, overlaps[order[k].second], overlaps[order[m].second]);
-    }
+  std::vector<Box3> boxes;
+  for (const auto& edge : edges) boxes.push_back(box_of(edge, axes));
+  const BoxTree tree(boxes);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    tree.for_meeting(boxes[i].widened(touch_m), [&](std::size_t j) {
+      if (j > i) overlap(edges[i], edges[j], touch_m, overlaps[i], overlaps[j]);
+    });
   }
   return overlaps;
 }
@@ -156,34 +160,36 @@ std::vector<std::vector<Overlap>> find_overlaps(const std::vector<Edge>& edges, 
 // Answers whether a point lies on any polygon but one.
 class Faces {
  public:
-  Faces(const std::vector<const Polygon*>& polygons, double touch_m)
-      : polygons_(polygons), touch_m_(touch_m) {
-    for (const auto* polygon : polygons) {
-      Vec3 low(std::numeric_limits<double>::max()), high(std::numeric_limits<double>::lowest());
-      for (const auto& ring : polygon->corners())
-        for (const auto& p : ring) low = glm::min(low, p), high = glm::max(high, p);
-      boxes_.emplace_back(low - touch_m, high + touch_m);
-    }
-  }
+  Faces(const std::vector<const Polygon*>& polygons, const Frame& axes, double touch_m)
+      : polygons_(polygons), axes_(axes), touch_m_(touch_m), tree_(boxes_of(polygons, axes)) {}
 
   bool hold(const Vec3& p, std::size_t but) const {
-    for (std::size_t i = 0; i < polygons_.size(); ++i) {
-      const auto& [low, high] = boxes_[i];
-      if (i == but || p.x < low.x || p.y < low.y || p.z < low.z || p.x > high.x || p.y > high.y ||
-          p.z > high.z)
-        continue;
+    bool found = false;
+    Box3 at;
+    at.add(axes_.direction_to_local(p));
+    tree_.for_meeting(at.widened(touch_m_), [&](std::size_t i) {
       const Polygon& polygon = *polygons_[i];
-      if (std::abs(polygon.frame().height(p)) <= touch_m_ &&
-          polygon.contains(polygon.frame().to_local(p), touch_m_))
-        return true;
-    }
-    return false;
+      found = found || (i != but && std::abs(polygon.frame().height(p)) <= touch_m_ &&
+                        polygon.contains(polygon.frame().to_local(p), touch_m_));
+    });
+    return found;
   }
 
  private:
+  static std::vector<Box3> boxes_of(const std::vector<const Polygon*>& polygons, const Frame& axes) {
+    std::vector<Box3> boxes;
+    for (const auto* polygon : polygons) {
+      Box3& box = boxes.emplace_back();
+      for (const auto& ring : polygon->corners())
+        for (const auto& p : ring) box.add(axes.direction_to_local(p));
+    }
+    return boxes;
+  }
+
   const std::vector<const Polygon*>& polygons_;
+  const Frame& axes_;
   double touch_m_;
-  std::vector<std::pair<Vec3, Vec3>> boxes_;
+  BoxTree tree_;
 };
 
 bool rests_on_face(const Vec3& from, const Vec3& to, std::size_t own, const Faces& faces) {
@@ -193,13 +199,17 @@ bool rests_on_face(const Vec3& from, const Vec3& to, std::size_t own, const Face
 }
 
 // Walks along one edge: where one other lies on it they share it, where none does it may leak.
-void settle(const Edge& edge, const std::vector<Overlap>& overlaps, double touch_m, const Faces& faces,
+void settle(const Edge& edge, std::vector<Overlap>& overlaps, double touch_m, const Faces& faces,
             ShellEdges& result) {
   const double length = glm::length(edge.b - edge.a);
   const Vec3 along = (edge.b - edge.a) / length;
   std::vector<double> marks = {0.0, length};
   for (const auto& o : overlaps) marks.push_back(o.from), marks.push_back(o.to);
   std::sort(marks.begin(), marks.end());
+  std::sort(overlaps.begin(), overlaps.end(),
+            [](const Overlap& a, const Overlap& b) { return a.from < b.from; });
+  std::vector<const Overlap*> here;
+  std::size_t next = 0;
   double open_from = -1.0;
   const auto close = [&](double at) {
     if (open_from < 0.0) return;
@@ -211,17 +221,16 @@ void settle(const Edge& edge, const std::vector<Overlap>& overlaps, double touch
   for (std::size_t i = 0; i + 1 < marks.size(); ++i) {
     if (marks[i + 1] - marks[i] <= touch_m) continue;
     const double middle = (marks[i] + marks[i + 1]) / 2.0;
-    const Overlap* only = nullptr;
-    int n = 0;
-    for (const auto& o : overlaps)
-      if (o.from < middle && middle < o.to) ++n, only = &o;
-    if (n == 0) {
+    while (next < overlaps.size() && overlaps[next].from < middle) here.push_back(&overlaps[next++]);
+    std::erase_if(here, [&](const Overlap* o) { return o->to <= middle; });
+    if (here.empty()) {
       if (open_from < 0.0) open_from = marks[i];
       continue;
     }
     close(marks[i]);
-    if (n == 1 && only->polygon != edge.polygon && edge.polygon < only->polygon)
-      result.shared.push_back({edge.polygon, only->polygon, only->flipped});
+    const Overlap& only = *here.front();
+    if (here.size() == 1 && only.polygon != edge.polygon && edge.polygon < only.polygon)
+      result.shared.push_back({edge.polygon, only.polygon, only.flipped});
   }
   close(length);
 }
@@ -231,8 +240,9 @@ void settle(const Edge& edge, const std::vector<Overlap>& overlaps, double touch
 ShellEdges match_edges(const std::vector<const Polygon*>& polygons, double touch_m) {
   ShellEdges result;
   const std::vector<Edge> alone = match_whole(edges_of(polygons, touch_m), result.shared);
-  const auto overlaps = find_overlaps(alone, touch_m);
-  const Faces faces(polygons, touch_m);
+  const Frame axes = axes_of(polygons);
+  auto overlaps = find_overlaps(alone, axes, touch_m);
+  const Faces faces(polygons, axes, touch_m);
   for (std::size_t i = 0; i < alone.size(); ++i) settle(alone[i], overlaps[i], touch_m, faces, result);
   std::stable_sort(result.leaking.begin(), result.leaking.end(),
                    [](const LeakingEdge& a, const LeakingEdge& b) {

@@ -29,8 +29,8 @@ struct ShellEdges {
 
 /// Matches the edges of polygons that should enclose a space. Edges meet whole, or in part along one line (a
 /// wall of two pieces against one ceiling), or rest on the face of another polygon (a cupboard without a
-/// bottom on the floor). Whole matches are found by numbering corners in a hash grid, the rest by a sweep
-/// over what is left.
+/// bottom on the floor). Whole matches are found by numbering corners in a hash grid, the rest by a tree
+/// of the boxes of what is left.
 /// @param touch_m  distance within which corners and lines are the same
 ShellEdges match_edges(const std::vector<const Polygon*>& polygons, double touch_m);
 

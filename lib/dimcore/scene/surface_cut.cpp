@@ -13,21 +13,6 @@ namespace dim {
 namespace {
 
 constexpr double kRelativeTouch = 1e-6;
-constexpr double kRelativeOverlap = 1e-9;
-
-Region2 common_region(const Polygon& base, const Polygon& other, double touch_m) {
-  return without_slivers(clip_intersection(base.rings(), region_in_frame(other, base, touch_m)), touch_m);
-}
-
-void cut(Polygon& polygon, const std::vector<const Polygon*>& others, double touch_m) {
-  Region2 removed;
-  for (const auto* other : others) {
-    const Region2 region = region_in_frame(*other, polygon, touch_m);
-    removed.insert(removed.end(), region.begin(), region.end());
-  }
-  Region2 rest = without_slivers(clip_difference(polygon.rings(), removed), touch_m);
-  polygon = rest.empty() ? Polygon{} : Polygon(polygon.frame(), std::move(rest));
-}
 
 std::string label(const Surface& surface) { return fmt::format("surface '{}'", surface.name); }
 
@@ -53,17 +38,6 @@ void check_feature(const Surface& feature, const Surface& parent, double touch_m
         "keep it inside the parent's outline and clear of its holes");
 }
 
-// Whether `descendant` was cut, in however many steps, out of `ancestor`. A surface may be found to be its
-// own.
-bool is_ancestor(const std::vector<Surface>& surfaces, std::size_t ancestor, std::size_t descendant) {
-  int at = surfaces[descendant].parent;
-  for (std::size_t steps = 0; at >= 0 && steps < surfaces.size(); ++steps) {
-    if (at == static_cast<int>(ancestor)) return true;
-    at = surfaces[static_cast<std::size_t>(at)].parent;
-  }
-  return false;
-}
-
 void drop_empty(std::vector<Surface>& surfaces) {
   std::vector<int> moved(surfaces.size(), -1);
   std::vector<Surface> kept;
@@ -78,6 +52,12 @@ void drop_empty(std::vector<Surface>& surfaces) {
     surface.twin = follow(surface.twin);
   }
   surfaces = std::move(kept);
+}
+
+// A feature on a panel and the panel's other side are back to back by nature.
+bool lies_on_twin(const std::vector<Surface>& surfaces, std::size_t panel, std::size_t feature) {
+  const int twin = surfaces[panel].twin;
+  return twin >= 0 && is_ancestor(surfaces, static_cast<std::size_t>(twin), feature);
 }
 
 bool covers(double common_m2, const Polygon& polygon) {
@@ -97,6 +77,15 @@ double touch_tolerance_m(const std::vector<Surface>& surfaces) {
       for (const auto& p : ring) low = glm::min(low, p), high = glm::max(high, p);
   }
   return surfaces.empty() ? 0.0 : kRelativeTouch * glm::length(high - low);
+}
+
+bool is_ancestor(const std::vector<Surface>& surfaces, std::size_t ancestor, std::size_t descendant) {
+  int at = surfaces[descendant].parent;
+  for (std::size_t steps = 0; at >= 0 && steps < surfaces.size(); ++steps) {
+    if (at == static_cast<int>(ancestor)) return true;
+    at = surfaces[static_cast<std::size_t>(at)].parent;
+  }
+  return false;
 }
 
 void join_features(std::vector<Surface>& surfaces, const std::vector<SurfaceLink>& links, double touch_m,
@@ -133,22 +122,7 @@ void cut_features(std::vector<Surface>& surfaces, double touch_m) {
   for (const auto& [parent, children] : features) {
     std::vector<const Polygon*> removed;
     for (const std::size_t child : children) removed.push_back(&whole.at(child));
-    cut(surfaces[parent].polygon, removed, touch_m);
-  }
-}
-
-void refuse_overlaps(const std::vector<Surface>& surfaces, double touch_m, Problems& problems) {
-  for (const auto& pair : coplanar_pairs(surfaces, touch_m)) {
-    if (!pair.same_facing || is_ancestor(surfaces, pair.large, pair.small) ||
-        is_ancestor(surfaces, pair.small, pair.large))
-      continue;
-    const Surface &large = surfaces[pair.large], &small = surfaces[pair.small];
-    const double common_m2 = area(common_region(large.polygon, small.polygon, touch_m));
-    if (common_m2 <= kRelativeOverlap * small.polygon.area_m2()) continue;
-    problems.add(small.place,
-                 fmt::format("{} and surface '{}' (line {}) overlap in one plane by {:.6g} m2", label(small),
-                             large.name, large.place.line, common_m2),
-                 fmt::format("write on = \"{}\" if it is a feature of that surface, or move it", large.name));
+    cut_out(surfaces[parent].polygon, removed, touch_m);
   }
 }
 
@@ -156,9 +130,11 @@ void remove_contacts(std::vector<Surface>& surfaces, const std::vector<SurfaceLi
                      Warnings& warnings) {
   std::map<std::size_t, std::vector<std::size_t>> contacts;
   for (const auto& pair : coplanar_pairs(surfaces, touch_m)) {
-    if (pair.same_facing) continue;
+    if (pair.same_facing || lies_on_twin(surfaces, pair.large, pair.small) ||
+        lies_on_twin(surfaces, pair.small, pair.large))
+      continue;
     Surface &large = surfaces[pair.large], &small = surfaces[pair.small];
-    const double common_m2 = area(common_region(large.polygon, small.polygon, touch_m));
+    const double common_m2 = common_area_m2(large.polygon, small.polygon, touch_m);
     if (!(common_m2 > 0.0)) continue;
     if (!links[pair.large].of_box && !links[pair.small].of_box) {
       if (covers(common_m2, large.polygon) && covers(common_m2, small.polygon)) {
@@ -183,7 +159,7 @@ void remove_contacts(std::vector<Surface>& surfaces, const std::vector<SurfaceLi
   for (const auto& [i, others] : contacts) {
     std::vector<const Polygon*> removed;
     for (const std::size_t other : others) removed.push_back(&whole.at(other));
-    cut(surfaces[i].polygon, removed, touch_m);
+    cut_out(surfaces[i].polygon, removed, touch_m);
   }
   drop_empty(surfaces);
 }

@@ -6,8 +6,8 @@
 #include "base/error.hpp"
 #include "scene/zone.hpp"
 
-/// What surfaces in one plane do to each other: features are cut out of their parents, faces that touch back
-/// to back lose what they share, and two that claim the same place are refused.
+/// What surfaces in one plane that are meant to share it do to each other: features are cut out of their
+/// parents, faces that touch back to back lose what they share. See surface_overlap for those that are not.
 namespace dim {
 
 /// What the file said of a surface beyond the model: its parent's name and whether it is a face of a box.
@@ -21,6 +21,10 @@ struct SurfaceLink {
 /// obstructions.
 double touch_tolerance_m(const std::vector<Surface>& surfaces);
 
+/// Whether `descendant` was cut, in however many steps, out of `ancestor`. A surface may be found to be its
+/// own.
+bool is_ancestor(const std::vector<Surface>& surfaces, std::size_t ancestor, std::size_t descendant);
+
 /// Finds each feature's parent, and checks that the feature lies in the parent's plane, faces the same way
 /// and stays within its outline. Features inherit `bounding` and `outside` from the parent.
 /// @param links  one for each surface
@@ -30,9 +34,6 @@ void join_features(std::vector<Surface>& surfaces, const std::vector<SurfaceLink
 /// Cuts every feature out of its parent. A parent covered wholly keeps an empty polygon (area 0) until
 /// `remove_contacts` takes it out.
 void cut_features(std::vector<Surface>& surfaces, double touch_m);
-
-/// Reports pairs of surfaces in one plane, facing the same way, that share area.
-void refuse_overlaps(const std::vector<Surface>& surfaces, double touch_m, Problems& problems);
 
 /// Takes the common area of faces that touch back to back away from both, then surfaces without area out of
 /// the list. Two [[surface]] of the same outline back to back are a thin partition: kept, as each other's

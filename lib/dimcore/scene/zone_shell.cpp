@@ -74,7 +74,7 @@ class Shell {
   Shell(const std::vector<Surface>& surfaces, double touch_m) {
     std::vector<const Polygon*> polygons;
     for (const auto& surface : surfaces) {
-      if (!surface.bounding || surface.parent >= 0) continue;
+      if (!surface.bounding || surface.parent >= 0 || !(surface.polygon.area_m2() > 0.0)) continue;
       bounding_.push_back(&surface);
       polygons.push_back(&surface.polygon);
     }

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "light/first_flight.hpp"
 #include "light/sun_light.hpp"
 #include "light/window_light.hpp"
 #include "scene/lights.hpp"
