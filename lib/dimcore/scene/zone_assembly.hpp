@@ -11,6 +11,10 @@
 
 namespace dim {
 
+/// Target cell edge where neither the file nor the command line says one: 0.25 m, or a twentieth of the
+/// zone's diameter in zones smaller than 5 m.
+inline constexpr double kDefaultCell_m = 0.25;
+
 /// What a zone is made of, as its writer has it: a zone file, an importer, or another program. Lengths of faces are
 /// in the writer's unit, faces name their finish.
 struct ZoneParts {
