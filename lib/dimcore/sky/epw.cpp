@@ -47,6 +47,14 @@ std::optional<double> number(std::string_view text) {
   return value;
 }
 
+/// 0 Monday .. 6 Sunday; Monday for another word.
+int weekday(std::string_view word) {
+  constexpr std::array<std::string_view, 7> kDays = {"Mon", "Tue", "Wed", "Thu", "Fri", "Sat", "Sun"};
+  for (std::size_t i = 0; i < kDays.size(); ++i)
+    if (word.substr(0, 3) == kDays[i]) return static_cast<int>(i);
+  return 0;
+}
+
 /// Reads the text line by line; what is wrong is collected.
 class EpwParser {
  public:
@@ -159,6 +167,7 @@ void EpwParser::data_periods(const std::vector<std::string_view>& fields) {
   if (n_per_hour_ != per_hour || 60 % n_per_hour_ != 0)
     wrong(fmt::format("records per hour {}: must divide 60", fields[2]));
   weather_.step_h = 1.0 / n_per_hour_;
+  weather_.first_weekday = weekday(fields[4]);
   // The end of the last period, "12/31", maybe with a year.
   const auto end = fields[4 * static_cast<std::size_t>(n_periods) + 2 < fields.size()
                               ? 4 * static_cast<std::size_t>(n_periods) + 2

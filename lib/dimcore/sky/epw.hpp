@@ -26,6 +26,7 @@ struct Weather {
   double longitude_deg = 0.0;  ///< east positive
   double time_zone_h = 0.0;    ///< east positive
   double step_h = 1.0;
+  int first_weekday = 0;           ///< of the first row's day, 0 Monday .. 6 Sunday
   std::vector<WeatherStep> steps;  ///< in order, without gaps
   Warnings warnings;
 };
