@@ -102,11 +102,18 @@ double DaylightSources::luminous_flux_lm(const Source& source, const std::vector
   return lm;
 }
 
-void DaylightSources::append_to(std::vector<Source>& sources) const {
+void DaylightSources::append_to(ModelPlan& plan, Warnings& warnings) const {
   for (std::size_t s = 0; s < sources_.size(); ++s) {
-    sources.push_back(sources_[s]);
-    sources.back().flux_lm = luminous_flux_lm(sources_[s], class_flux_lm(s));
+    plan.sources.push_back(sources_[s]);
+    plan.sources.back().flux_lm = luminous_flux_lm(sources_[s], class_flux_lm(s));
   }
+  plan.daylight = in_words();
+  const auto shines = [](Shininess kind) { return kind != Shininess::diffusing; };
+  if (std::any_of(plan.of_surface.begin(), plan.of_surface.end(), shines))
+    warnings.push_back({{},
+                        "finishes that shine absorb what they would reflect of direct daylight like a mirror; their "
+                        "diffuse part and all light of luminaires are complete",
+                        "--finish NAME=ENTRY with a diffuse finish shows how much it matters"});
 }
 
 std::vector<double> DaylightSources::class_flux_lm(std::size_t s) const {
@@ -132,6 +139,26 @@ void DaylightSources::take_flux(std::vector<Source>& sources, std::vector<std::v
     for (std::size_t q = 0; q < n_classes_; ++q) flux_lm[q] = columns[q * sources.size() + first_ + s].received;
     sources[first_ + s].flux_lm = luminous_flux_lm(sources[first_ + s], flux_lm);
   }
+}
+
+std::vector<std::string> DaylightSources::in_words() const {
+  std::size_t n_states = 0;
+  for (const auto& group : windows_.groups) n_states += group.states.size();
+  std::vector<std::string> words;
+  words.push_back(fmt::format("light from outside: windows {}, groups {}, states of all groups {}, each with {}",
+                              windows_.windows.size(), windows_.groups.size(), n_states,
+                              light_->by_patches() ? fmt::format("{} patches of the sky and the ground",
+                                                                 light_->patches().size())
+                              : light_->sun()      ? "sky, ground and sun"
+                                                   : "sky and ground"));
+  words.push_back(tinted() ? "panes or surfaces outside colour the light: it is kept by class of bands"
+                           : "panes let all wavebands pass alike: direct daylight is kept once");
+  words.push_back("inside, panes reflect evenly in all directions, not as mirrors");
+  words.push_back(n_outside_cells() > 0
+                      ? fmt::format("outside surfaces reflect evenly, on {} cells", n_outside_cells())
+                      : std::string("no outside surface: rays that leave meet sky or ground"));
+  if (windows_.dome) words.push_back("the zone is open in ways only rays know: the whole sky is sampled");
+  return words;
 }
 
 void DaylightSources::add_to(DirectColumns& direct, const ModelPlan& plan, const Job& job) const {

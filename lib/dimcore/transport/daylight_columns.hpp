@@ -21,8 +21,9 @@ class DaylightSources {
   /// @throws Interrupted
   DaylightSources(const Room& room, const ModelPlan& plan, const SimulationOptions& options, const Job& job);
 
-  /// Puts the sources, energy figures left out, behind those of luminaires.
-  void append_to(std::vector<Source>& sources) const;
+  /// Puts the sources, energy figures left out, behind those of luminaires in the plan, and what is modelled of the
+  /// outside in words; warns of what is not.
+  void append_to(ModelPlan& plan, Warnings& warnings) const;
 
   /// Whether their light differs from class to class.
   bool tinted() const { return panes_->tinted(); }
@@ -43,6 +44,9 @@ class DaylightSources {
                  const std::vector<ColumnReport>& columns) const;
 
   SkyRecord record() const { return record_; }
+
+  /// What is modelled of the outside, for ModelPlan::daylight.
+  std::vector<std::string> in_words() const;
 
  private:
   std::size_t n_outside_columns() const { return light_->n_columns(); }

@@ -31,7 +31,10 @@ Solution simulate(const Zone& zone, const Cells& cells, const Network& network, 
   const Room room(zone, cells, network, lights, job);
   ModelPlan plan = make_plan(room, options);
   std::optional<const DaylightSources> daylight;
-  if (lights.sky) daylight.emplace(room, plan, options, job).append_to(plan.sources);
+  if (lights.sky) {
+    daylight.emplace(room, plan, options, job);
+    daylight->append_to(plan, warnings);
+  }
   check_memory(room, plan, job);
   auto flights = source_flights(room, plan, job, warnings);
 
