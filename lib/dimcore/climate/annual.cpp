@@ -97,37 +97,52 @@ void add_sun(const Year& year, const LaneCoefficients& lanes, std::size_t in_blo
   }
 }
 
+void make_room(AnnualSky& sky) {
+  sky.sky_horizontal_lx.assign(sky.n_steps, 0.0);
+  sky.luminance_cd_m2.resize(sky.lit.size() * (sky.patches.size() + 1));
+  sky.sun.resize(sky.lit.size());
+  sky.sun_normal_lx.resize(sky.lit.size());
+}
+
+/// @param i  place among the lit steps
+void set_step(const SkyAndSun& light, double ground_reflectance, std::size_t i, AnnualSky& sky) {
+  const auto patches =
+      quick_patch_means_cd_m2(light.model, light.model_sun(), light.sky_horizontal_lx, sky.patches);
+  float* row = &sky.luminance_cd_m2[i * (patches.size() + 1)];
+  std::transform(patches.begin(), patches.end(), row, [](double l) { return static_cast<float>(l); });
+  const double sun_lx = light.sun.z > 0.0 ? light.direct_normal_lx : 0.0;
+  const double horizontal_lx = light.sky_horizontal_lx + sun_lx * std::max(0.0, light.sun.z);
+  row[patches.size()] = static_cast<float>(ground_reflectance * horizontal_lx / kPi);
+  sky.sun[i] = light.sun;
+  sky.sun_normal_lx[i] = sun_lx;
+  sky.sky_horizontal_lx[sky.lit[i]] = light.sky_horizontal_lx;
+}
+
 }  // namespace
 
 AnnualSky annual_sky(const Weather& weather, int subdivision, double ground_reflectance, const Job& job) {
   AnnualSky sky(subdivision);
   sky.step_h = weather.step_h;
   sky.n_steps = weather.steps.size();
-  sky.sky_horizontal_lx.assign(sky.n_steps, 0.0);
   for (std::size_t i = 0; i < sky.n_steps; ++i) {
     const Irradiance& light = weather.steps[i].irradiance;
     if (light.direct_normal_W_m2 > 0.0 || light.diffuse_horizontal_W_m2 > 0.0) sky.lit.push_back(i);
   }
-  const std::size_t n_rows = sky.patches.size() + 1;
-  sky.luminance_cd_m2.resize(sky.lit.size() * n_rows);
-  sky.sun.resize(sky.lit.size());
-  sky.sun_normal_lx.resize(sky.lit.size());
+  make_room(sky);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, sky.lit.size()), [&](const auto& range) {
     job.check();
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
-      const auto light = sky_and_sun_of(weather, weather.steps[sky.lit[i]]);
-      const auto patches =
-          quick_patch_means_cd_m2(light.model, light.model_sun(), light.sky_horizontal_lx, sky.patches);
-      float* row = &sky.luminance_cd_m2[i * n_rows];
-      std::transform(patches.begin(), patches.end(), row, [](double l) { return static_cast<float>(l); });
-      const double sun_lx = light.sun.z > 0.0 ? light.direct_normal_lx : 0.0;
-      const double horizontal_lx = light.sky_horizontal_lx + sun_lx * std::max(0.0, light.sun.z);
-      row[patches.size()] = static_cast<float>(ground_reflectance * horizontal_lx / kPi);
-      sky.sun[i] = light.sun;
-      sky.sun_normal_lx[i] = sun_lx;
-      sky.sky_horizontal_lx[sky.lit[i]] = light.sky_horizontal_lx;
-    }
+    for (std::size_t i = range.begin(); i < range.end(); ++i)
+      set_step(sky_and_sun_of(weather, weather.steps[sky.lit[i]]), ground_reflectance, i, sky);
   });
+  return sky;
+}
+
+AnnualSky sky_of_moment(const SkyAndSun& light, int subdivision, double ground_reflectance) {
+  AnnualSky sky(subdivision);
+  sky.n_steps = 1;
+  sky.lit = {0};
+  make_room(sky);
+  set_step(light, ground_reflectance, 0, sky);
   return sky;
 }
 

@@ -27,6 +27,9 @@ struct AnnualSky {
 /// @throws Interrupted
 AnnualSky annual_sky(const Weather& weather, int subdivision, double ground_reflectance, const Job& job = {});
 
+/// One moment, as a year of one step.
+AnnualSky sky_of_moment(const SkyAndSun& light, int subdivision, double ground_reflectance);
+
 /// Illuminance of some points at every step, by parts.
 struct PointBlock {
   std::size_t first = 0;  ///< point

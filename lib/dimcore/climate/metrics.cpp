@@ -1,10 +1,13 @@
 #include "climate/metrics.hpp"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+
+#include "sky/weather_light.hpp"
 
 namespace dim {
 namespace {
@@ -77,6 +80,35 @@ std::vector<PointMetrics> block_metrics(const PointBlock& block, const MetricTim
     metrics[p] = point_metrics(total, block.direct_sun(p), times, target_lx);
   });
   return metrics;
+}
+
+std::vector<double> daylight_factors(const DaylightCoefficients& coefficients) {
+  constexpr double kHorizontal_lx = 10000.0;
+  const auto sky = sky_of_moment({SkyModel::overcast(), {0, 0, 1}, kHorizontal_lx, 0.0},
+                                 coefficients.subdivision, coefficients.ground_reflectance);
+  std::vector<double> factors;
+  annual_illuminance(sky, coefficients, {}, [&](const PointBlock& block) {
+    for (const float lx : block.sky_lx) factors.push_back(static_cast<double>(lx) / kHorizontal_lx);
+  });
+  return factors;
+}
+
+std::vector<double> sunlight_hours(const Weather& weather, const LocalTime& day, const SunFactors& sun,
+                                   std::size_t n_points) {
+  constexpr double kStep_h = 5.0 / 60.0;
+  std::vector<double> hours(n_points, 0.0);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n_points, 16), [&](const auto& range) {
+    std::vector<float> factors(range.size());
+    LocalTime time = day;
+    for (time.hour = 0.5 * kStep_h; time.hour < 24.0; time.hour += kStep_h) {
+      const auto position = sun_at(weather, time);
+      if (position.apparent_altitude_rad <= 0.0) continue;
+      sun(position.direction(), range.begin(), factors);
+      for (std::size_t i = 0; i < factors.size(); ++i)
+        hours[range.begin() + i] += factors[i] > 0.0F ? kStep_h : 0.0;
+    }
+  });
+  return hours;
 }
 
 const char* word_of(Provision level) {

@@ -40,6 +40,14 @@ PointMetrics point_metrics(std::span<const float> total_lx, std::span<const floa
 /// The points of a block, in parallel. [block.n_points]
 std::vector<PointMetrics> block_metrics(const PointBlock& block, const MetricTimes& times, double target_lx);
 
+/// Daylight factors under the traditional overcast sky, 0..1. [n_points]
+std::vector<double> daylight_factors(const DaylightCoefficients& coefficients);
+
+/// Hours on a day, every five minutes looked at, in which the sun would shine on each point in a clear sky:
+/// exposure to sunlight of EN 17037, without its least altitude of the sun. [n_points]
+std::vector<double> sunlight_hours(const Weather& weather, const LocalTime& day, const SunFactors& sun,
+                                   std::size_t n_points);
+
 /// A level of daylight provision of EN 17037, table A.1.
 enum class Provision { none, minimum, medium, high };
 const char* word_of(Provision level);

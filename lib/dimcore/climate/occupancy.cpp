@@ -66,6 +66,11 @@ Schedule parse_hours(std::string_view text) {
       Problem{{}, fmt::format("hours '{}' are not two times of a day", text), "write 08:00-18:00"});
 }
 
+MonthDay parse_month_day(std::string_view text) {
+  if (const auto day = month_day(text)) return *day;
+  throw InputError(Problem{{}, fmt::format("'{}' is no day of a year", text), "write 03-29"});
+}
+
 SummerTime parse_summer_time(std::string_view text) {
   const auto comma = text.find(',');
   if (comma != std::string_view::npos) {

@@ -30,6 +30,8 @@ struct Schedule {
 
 /// "08:00-18:00". @throws InputError  without a place
 Schedule parse_hours(std::string_view text);
+/// "03-29". @throws InputError  without a place
+MonthDay parse_month_day(std::string_view text);
 /// "03-29,10-25". @throws InputError  without a place
 SummerTime parse_summer_time(std::string_view text);
 
