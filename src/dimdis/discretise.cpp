@@ -7,6 +7,7 @@
 #include "common/database_option.hpp"
 #include "common/option_checks.hpp"
 #include "dimdis/options.hpp"
+#include "network/back_light.hpp"
 #include "network/network_storage.hpp"
 #include "network/point_places.hpp"
 
@@ -58,16 +59,19 @@ Exit DiscretiseCommand::run() {
 
   program_.stage("zone");
   Zone zone = read_zone(program_, input_);
-  program_.stage("cells");
-  const Cells cells(zone);
   if (zone.points.empty())
     refuse_without_effect(program_.app(), {"--point-patches"}, "in a zone without measuring points");
   if (automatic) options.point_patches = automatic_point_patches(zone.points.size());
-  program_.stage("rays");
   const Job job = program_.job();
+  check_network_fits(zone, options, job);
+  program_.stage("cells");
+  const Cells cells(zone);
+  program_.stage("rays");
   const Network network = build_network(zone, cells, options, job);
   judge_points(network, zone);
-  warn(program_, input_, left_out_warnings(zone));
+  Warnings warnings = left_out_warnings(zone);
+  for (auto& warning : back_warnings(network.back_share, zone)) warnings.push_back(std::move(warning));
+  warn(program_, input_, warnings);
   program_.stage(kWritingStage);
   const std::string hash = save_rays(output_, zone, cells, network, job);
   program_.stage("");

@@ -12,6 +12,7 @@
 #include "dimray/explain.hpp"
 #include "dimray/report.hpp"
 #include "result/lum_file.hpp"
+#include "scene/lights_at_points.hpp"
 #include "scene/lights_reader.hpp"
 
 namespace dim {
@@ -134,6 +135,7 @@ Lights SolveCommand::lights(const Zone& zone, const DatabaseSearch& search) {
   Lights lights =
       read_lights(text, lights_ == "-" ? "<stdin>" : lights_, overrides_, zone, search, warnings, load);
   program_.warn(warnings);
+  program_.warn(warn_of_lights_at_points(zone, lights));
   // Before the work: an output that would replace what the lights file names.
   program_.check_output(output_, read);
   refuse_database_file(output_, search);

@@ -24,6 +24,8 @@ zone() { refused "$@" -o x.rays; }
   zone 2 "patches.*16x32" dimdis room.zone.toml --patches 1000000000
   zone 2 "patches.*16x32" dimdis room.zone.toml --patches 100000x100000
   zone 4 "GiB.*fewer --patches" dimdis room.zone.toml --cell 0.01 --patches 10000000
+  # Told from the surfaces' areas, before any cell is made.
+  zone 4 "ray network of [0-9]+ cells x 1000000 patches.*fewer --patches" dimdis room.zone.toml --cell 0.005 --patches 1000x1000
   zone 4 "GiB.*--point-patches" dimdis room.zone.toml --set plane.workplane.spacing=0.005 --point-patches 10000000
 }
 
@@ -44,6 +46,8 @@ zone() { refused "$@" -o x.rays; }
 @test "absurd pictures" {
   refused 2 "WIDTHxHEIGHT within 1\.\.32768" dimout image room.lum -o x.png --size 1000000x1000000
   refused 2 "samples" dimout image room.lum -o x.png --samples 1000
+  # Within the format's limits and beyond this process's memory.
+  (ulimit -v 4000000; refused 4 "a picture of 32768 x 32768 pixels needs .* GiB.*use a smaller --size" dimout image room.lum -o x.png --size 32768x32768)
 }
 
 @test "a million copies" {

@@ -89,6 +89,21 @@ solve() { lights "$1"; mistake "$2" "$3" "$4" dimray room.rays l.toml -o y.lum; 
   mistake 0 "z.toml:.*'desk.south' and surface 'screen' .*: 'desk.south' lies on top" 'move or shorten' dimdis check z.toml
 }
 
+@test "panels lit on one side only" {
+  printf '[[surface]]\nname = "shelf"\nfinish = "wood"\nvertices = [[0.2,2,1],[1.4,2,1],[1.4,2.6,1],[0.2,2.6,1]]\n' | cat room.zone.toml - > z.toml
+  mistake 0 "z.toml:.*'shelf' is seen from behind inside the zone.*swallows [0-9.]+ % of the light" 'sides = 2' dimdis z.toml --patches 8x16 -o y.rays
+  mistake 3 "'shelf' is seen from behind" 'sides = 2' dimdis --strict z.toml --patches 8x16 -o x.rays
+  no_trace
+  sed -i 's/^name = "shelf"/&\nsides = 2/' z.toml
+  run --separate-stderr dimdis z.toml --patches 8x16 -o y.rays
+  [[ "$stderr" != *behind* ]]
+}
+
+@test "a luminaire on a measuring point" {
+  lights 's/^at = \[0.5.*/at = [1.6, 1.1, 0.75]/'
+  mistake 0 "l.toml:.*luminaire 'spot' stands on point 1 of 'desk points': its direct light there is left out" 'apart' dimray room.rays l.toml -o y.lum
+}
+
 @test "the wrong file" {
   mistake 3 'room.lights.toml:1:.*is not a zone file' 'begins with dim = "zone/1"' dimdis check room.lights.toml
   mistake 3 'room.rays: is a ray network, not a zone file' 'dimray reads it' dimdis room.rays -o y.rays

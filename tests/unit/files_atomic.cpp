@@ -45,6 +45,26 @@ TEST_CASE("Parts of a file arrive in order and no temporary stays", "[base][unit
   CHECK(folder.n_files() == 2);
 }
 
+TEST_CASE("What killed runs left of a file is swept, of others and of running ones it is not", "[base][unit]") {
+  const Folder folder;
+  const pid_t gone = start_child([] {});
+  REQUIRE(wait_for(gone) == 0);
+  const auto leave = [&](const std::string& name, int age_s) {
+    put(folder / name, "part");
+    const timespec then{::time(nullptr) - age_s, 0}, times[2] = {then, then};
+    REQUIRE(::utimensat(AT_FDCWD, (folder / name).c_str(), times, 0) == 0);
+  };
+  const std::string pid = std::to_string(gone), own = std::to_string(::getpid());
+  leave(".a." + pid + "-0.tmp", 120);
+  leave(".a." + pid + "-1.tmp", 10);    // may be another machine's
+  leave(".a." + own + "-7.tmp", 120);   // still being written
+  leave(".b." + pid + "-0.tmp", 120);   // another file's
+  leave(".a." + pid + "x-0.tmp", 120);  // no name of ours
+  write_file(folder / "a", "new");
+  CHECK(folder.n_files() == 5);
+  CHECK(::access((folder / (".a." + pid + "-0.tmp")).c_str(), F_OK) != 0);
+}
+
 TEST_CASE("Without a commit the previous file stays and the temporary goes", "[base][unit]") {
   const Folder folder;
   put(folder / "a", "old");

@@ -3,11 +3,13 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
+#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
@@ -52,6 +54,32 @@ std::string temporary_name(const std::string& target, int attempt) {
   std::string name = path.filename().string();
   if (name.size() > kLongestNameKept) name = "dim";
   return (path.parent_path() / fmt::format(".{}.{}-{}.tmp", name, ::getpid(), attempt)).string();
+}
+
+/// The process that a temporary of this target belongs to: `.NAME.PID-N.tmp`; 0 for any other file.
+pid_t owner_of(const std::string& file, const std::string& target) {
+  const std::string prefix = "." + target + ".", suffix = ".tmp";
+  if (!file.starts_with(prefix) || !file.ends_with(suffix)) return 0;
+  const char *at = file.data() + prefix.size(), *end = file.data() + file.size() - suffix.size();
+  pid_t pid = 0;
+  const auto number = std::from_chars(at, end, pid);
+  int attempt = 0;
+  if (number.ec != std::errc{} || number.ptr == end || *number.ptr != '-') return 0;
+  return std::from_chars(number.ptr + 1, end, attempt).ptr == end && pid > 0 ? pid : 0;
+}
+
+/// Removes what runs that were killed (kill -9, power) have left of this target: their process is gone, and they are a
+/// minute older than `now`, so that the process is not one of another machine that has only begun.
+void sweep(const std::string& target, time_t now) {
+  constexpr time_t kOld_s = 60;
+  std::error_code error;
+  const std::string name = fs::path(target).filename().string();
+  for (fs::directory_iterator at(folder_of(target), error), end; !error && at != end; at.increment(error)) {
+    const pid_t owner = owner_of(at->path().filename().string(), name);
+    if (owner == 0 || ::kill(owner, 0) == 0 || errno != ESRCH) continue;
+    struct stat left = {};
+    if (::stat(at->path().c_str(), &left) == 0 && now - left.st_mtime > kOld_s) ::unlink(at->path().c_str());
+  }
 }
 
 /// 0, or the error. Some file systems have nothing to sync and say so.
@@ -118,7 +146,11 @@ void AtomicFile::open_temporary(std::optional<mode_t> permissions) {
   for (int attempt = 0; attempt < kMaxNamesTried; ++attempt) {
     temporary_ = temporary_name(target_, attempt);
     descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-    if (descriptor_ >= 0) return;
+    if (descriptor_ >= 0) {
+      struct stat own = {};
+      if (::fstat(descriptor_, &own) == 0) sweep(target_, own.st_mtime);
+      return;
+    }
     if (errno != EEXIST) break;
   }
   const int error = errno;

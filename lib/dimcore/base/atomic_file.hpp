@@ -17,7 +17,8 @@ namespace dim {
 ///
 /// The bytes go to a hidden temporary in the same folder, which `commit` makes durable (fsync) and renames
 /// over the target. Without a commit — an error, an interrupt that unwinds the stack — the destructor
-/// removes the temporary and the previous file stays as it was; after a kill -9 only the temporary remains.
+/// removes the temporary and the previous file stays as it was; after a kill -9 only the temporary remains, and the next that
+/// writes the same file sweeps it, once it is a minute old.
 ///
 /// * `-` is standard output, and a target that exists and is no regular file (/dev/null, a fifo) is written
 ///   directly: their bytes cannot be taken back.

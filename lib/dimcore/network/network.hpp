@@ -52,6 +52,7 @@ struct Network {
   double imbalance = 0.0;                   ///< of scaled columns against their dues, see `balance`
   std::uint64_t n_escaped_rays = 0;         ///< of cells: ended nowhere, into the open
   std::uint64_t n_back_rays = 0;            ///< of cells: met the back of a surface
+  std::vector<double> back_share;  ///< [n_surfaces] see BackLight; not kept in files
   std::vector<double> point_back_fraction;  ///< [n_points] share of a point's rays that met backs of surfaces
 
   bool has_family() const { return !extra.first.empty(); }
@@ -63,7 +64,12 @@ struct Network {
 PatchGrid automatic_point_patches(std::size_t n_points);
 
 /// Memory that making and writing the network takes, bytes.
-std::size_t network_bytes(std::size_t n_cells, std::size_t n_points, const NetworkOptions& options);
+double network_bytes(std::size_t n_cells, std::size_t n_points, const NetworkOptions& options);
+
+/// Refuses a network that will not fit, before its cells are made: these are at least as many as their squares by
+/// area.
+/// @throws LimitError  with the memory it needs
+void check_network_fits(const Zone& zone, const NetworkOptions& options, const Job& job);
 
 /// Traces the ray network of a zone. The result depends on zone and options only, not on the number of
 /// threads.
