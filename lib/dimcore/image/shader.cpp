@@ -88,15 +88,15 @@ void Shader::make_lamps(const Mix& mix) {
   // As deep as the solution went: what it brought deeper is in the interpolated part.
   std::vector<int> depth;
   for (const auto& luminaire : database_.luminaires()) depth.push_back(luminaire.mirror_depth);
-  for (auto& emitter : make_emitters(zone_, lights_, mirrors, depth)) {
-    if (mix[database_.luminaires()[emitter.original].source] > 0.0) emitters_.push_back(std::move(emitter));
+  for (auto& source : sources_with_images(zone_, lights_, mirrors, depth)) {
+    if (mix[database_.luminaires()[source.original].source] > 0.0) sources_.push_back(std::move(source));
   }
   for (const auto& luminaire : database_.luminaires())
     factor_.push_back(mix[luminaire.source] * luminaire.factor);
   PairOptions options;
   options.shadow_lines = std::max(4, kShadowLines / n_samples_);
-  for (const auto& emitter : emitters_)
-    integrators_.emplace_back(zone_, obstructions_->caster(), obstructions_->shadows(), emitter, options);
+  for (const auto& source : sources_)
+    integrators_.emplace_back(zone_, obstructions_->caster(), obstructions_->shadows(), source, options);
 }
 
 // An opening shows the luminance that its intensity gives in that direction.
@@ -122,13 +122,13 @@ void Shader::add_direct(std::size_t surface, const Vec2& local, std::uint64_t ch
   frame.origin = frame.to_world(local);
   const Receiver receiver = point_receiver(frame, static_cast<int>(surface), chance);
   const int n_paths = std::max(1, kHighlightPaths / n_samples_);
-  for (std::size_t e = 0; e < emitters_.size(); ++e) {
-    const auto& emitter = emitters_[e];
-    if (emitter.beam.misses({&frame.origin, 1}, obstructions_->caster().tolerance_m())) continue;
-    const double factor = factor_[emitter.original];
-    const std::size_t first = channels_.first_of(database_.luminaires()[emitter.original].source);
+  for (std::size_t e = 0; e < sources_.size(); ++e) {
+    const auto& source = sources_[e];
+    if (source.beam.misses({&frame.origin, 1}, obstructions_->caster().tolerance_m())) continue;
+    const double factor = factor_[source.original];
+    const std::size_t first = channels_.first_of(database_.luminaires()[source.original].source);
     Light tint(channels_.n_bands(), factor);
-    tint_by_mirrors(zone_, emitter, glm::normalize(emitter.luminaire.at - frame.origin), tint,
+    tint_by_mirrors(zone_, source, glm::normalize(source.luminaire.at - frame.origin), tint,
                     [&](std::size_t b, int of) -> const BandReflection& {
                       return reflection_[static_cast<std::size_t>(of)][b];
                     });

@@ -6,7 +6,7 @@
 
 #include "image/light_field.hpp"
 #include "reflection/specular.hpp"
-#include "transport/direct.hpp"
+#include "light/direct_light.hpp"
 
 namespace dim {
 
@@ -59,7 +59,7 @@ class Shader {
   std::vector<std::unique_ptr<Facets>> facets_;          // [finish], of off-specular ones
   std::vector<bool> mirror_;                             // [finish]
   Lights lights_;
-  std::vector<Emitter> emitters_;
+  std::vector<LightSource> sources_;
   std::vector<PairIntegrator> integrators_;
   std::vector<double> factor_;         // [n_lights] in the mix
   std::unique_ptr<RayCaster> caster_;  // surfaces, openings, bodies

@@ -54,6 +54,10 @@ struct Luminaire {
 struct Lights {
   std::vector<Fitting> fittings;
   std::vector<Luminaire> luminaires;
+
+  const Fitting& fitting_of(const Luminaire& luminaire) const {
+    return fittings[static_cast<std::size_t>(luminaire.fitting)];
+  }
 };
 
 }  // namespace dim

@@ -45,7 +45,7 @@ LampSpectra lamp_spectra(const Lights& lights) {
   std::map<int, double> flux_lm;
   for (const auto& luminaire : lights.luminaires)
     flux_lm[luminaire.fitting] +=
-        luminaire.factor * lights.fittings[static_cast<std::size_t>(luminaire.fitting)].intensity.flux_lm();
+        luminaire.factor * lights.fitting_of(luminaire).intensity.flux_lm();
   LampSpectra lamps;
   for (const auto& [fitting, flux] : flux_lm) {
     lamps.spectra.push_back(lights.fittings[static_cast<std::size_t>(fitting)].spectrum);

@@ -1,5 +1,8 @@
+#include "light/obstructions.hpp"
+
+#include "light/first_flight.hpp"
+#include "network/cells.hpp"
 #include "scene/luminaire_body.hpp"
-#include "transport/direct.hpp"
 
 namespace dim {
 namespace {
@@ -24,9 +27,8 @@ std::vector<Plate> all_plates(const Zone& zone, const std::vector<Surface>& bodi
 Obstructions::Obstructions(const Zone& zone, const Lights& lights)
     : bodies_(bodies_of(lights)), caster_(all_plates(zone, bodies_), zone.diameter_m),
       shadows_(all_plates(zone, bodies_), zone.diameter_m) {
-  for (const auto& luminaire : lights.luminaires)
-    typical_lx_.push_back(typical_illuminance_lx(
-        caster_, luminaire, lights.fittings[static_cast<std::size_t>(luminaire.fitting)]));
+  for (const auto& source : own_sources(zone, lights))
+    typical_lx_.push_back(typical_illuminance_lx(caster_, source));
 }
 
 }  // namespace dim

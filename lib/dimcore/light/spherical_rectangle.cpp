@@ -1,4 +1,4 @@
-#include "transport/spherical_rectangle.hpp"
+#include "light/spherical_rectangle.hpp"
 
 #include <algorithm>
 #include <cmath>

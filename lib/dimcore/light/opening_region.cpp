@@ -1,4 +1,4 @@
-#include "transport/opening_region.hpp"
+#include "light/opening_region.hpp"
 
 namespace dim {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "transport/pair_integrator.hpp"
+#include "light/pair_integrator.hpp"
 
 /// What the two halves of `PairIntegrator`, free light and shadows, hand each other.
 namespace dim {

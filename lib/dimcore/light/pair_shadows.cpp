@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "transport/pair_parts.hpp"
+#include "light/pair_parts.hpp"
 
 // The part of PairIntegrator that finds how much of a pair's light is hidden.
 namespace dim {
@@ -47,8 +47,8 @@ class HalfSums {
 }  // namespace
 
 bool PairIntegrator::blocked(const Vec3& receiver, const Vec3& on_opening, int skip) const {
-  return emitter_.mirrors.empty() ? caster_.blocked(receiver, on_opening, skip)
-                                  : path_blocked(zone_, caster_, emitter_, receiver, on_opening, skip);
+  return source_.mirrors.empty() ? caster_.blocked(receiver, on_opening, skip)
+                                  : path_blocked(zone_, caster_, source_, receiver, on_opening, skip);
 }
 
 DirectEstimate PairIntegrator::shadowed(const Pair& pair, std::vector<int> plates, int depth,

@@ -1,4 +1,4 @@
-#include "transport/direct.hpp"
+#include "light/direct_light.hpp"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -61,35 +61,34 @@ Receiver cell_receiver(const Zone& zone, const Cells& cells, std::size_t cell) {
   return receiver;
 }
 
-std::vector<PairIntegrator> make_integrators(const Zone& zone, const std::vector<Emitter>& emitters,
+std::vector<PairIntegrator> make_integrators(const Zone& zone, const std::vector<LightSource>& sources,
                                              const Obstructions& obstructions, bool in_the_way) {
   std::vector<PairIntegrator> integrators;
-  integrators.reserve(emitters.size());
-  for (const auto& emitter : emitters) {
+  integrators.reserve(sources.size());
+  for (const auto& source : sources) {
     PairOptions options;
-    options.typical_lx = obstructions.typical_lx(emitter.original);
+    options.typical_lx = obstructions.typical_lx(source.original);
     options.in_the_way = in_the_way;
-    integrators.emplace_back(zone, obstructions.caster(), obstructions.shadows(), emitter, options);
+    integrators.emplace_back(zone, obstructions.caster(), obstructions.shadows(), source, options);
   }
   return integrators;
 }
 
-void direct_light(const Zone& zone, const Cells& cells, const std::vector<Emitter>& emitters,
-                  const std::vector<PairIntegrator>& integrators, const DirectSink& on_cell,
-                  const DirectSink& on_point, const Job& job) {
+void direct_light(const Zone& zone, const Cells& cells, const std::vector<PairIntegrator>& integrators,
+                  const DirectSink& on_cell, const DirectSink& on_point, const Job& job) {
   const auto scaled = [&](DirectEstimate direct, std::size_t e) {
-    const double factor = emitters[e].luminaire.factor;
+    const double factor = integrators[e].source().luminaire.factor;
     return DirectEstimate{factor * direct.lx, factor * factor * direct.variance_lx2};
   };
   const auto tiles = make_tiles(zone, cells);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tiles.size(), 1), [&](const auto& range) {
     for (std::size_t t = range.begin(); t != range.end(); ++t) {
       const Receiver region = tile_receiver(zone, cells, tiles[t]);
-      std::vector<PlatesBetween> between(emitters.size(), PlatesBetween{region});
+      std::vector<PlatesBetween> between(integrators.size(), PlatesBetween{region});
       for (const std::size_t i : tiles[t].cells) {
         if (job.stopped()) return;
         const Receiver receiver = cell_receiver(zone, cells, i);
-        for (std::size_t e = 0; e < emitters.size(); ++e)
+        for (std::size_t e = 0; e < integrators.size(); ++e)
           on_cell(i, e, scaled(integrators[e].mean(receiver, between[e]), e));
       }
     }
@@ -100,7 +99,7 @@ void direct_light(const Zone& zone, const Cells& cells, const std::vector<Emitte
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       const Frame frame = frame_at(zone.points[i]);
       const Receiver receiver = point_receiver(frame, -1, point_key(zone, i));
-      for (std::size_t e = 0; e < emitters.size(); ++e)
+      for (std::size_t e = 0; e < integrators.size(); ++e)
         on_point(i, e, scaled(integrators[e].mean(receiver), e));
     }
   });
@@ -118,8 +117,8 @@ DirectLight direct_light(const Zone& zone, const Cells& cells, const Lights& lig
       sums[i * n_sources + source_of[e]] += direct.lx;
     };
   };
-  const auto emitters = own_emitters(lights);
-  direct_light(zone, cells, emitters, make_integrators(zone, emitters, obstructions), add_to(result.cell_lx),
+  const auto sources = own_sources(zone, lights);
+  direct_light(zone, cells, make_integrators(zone, sources, obstructions), add_to(result.cell_lx),
                add_to(result.point_lx), job);
   return result;
 }

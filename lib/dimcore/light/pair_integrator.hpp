@@ -6,8 +6,8 @@
 
 #include "base/low_discrepancy.hpp"
 #include "geometry/shadow_plates.hpp"
-#include "transport/emitter.hpp"
-#include "transport/opening_region.hpp"
+#include "light/light_source.hpp"
+#include "light/opening_region.hpp"
 
 namespace dim {
 
@@ -27,7 +27,7 @@ struct DirectEstimate {
   double variance_lx2 = 0.0;
 };
 
-/// Plates that can stand between an emitter and a region of receivers; found when first asked for.
+/// Plates that can stand between a source and a region of receivers; found when first asked for.
 struct PlatesBetween {
   const Receiver& region;  ///< holds the receivers
   std::vector<int> found{};
@@ -36,13 +36,13 @@ struct PlatesBetween {
 
 struct PairOptions {
   /// Lines along which the visible share of a pair is found where something is in the way. A cell that gets
-  /// less than the emitter's typical illuminance has in proportion fewer; points have all.
+  /// less than the source's typical illuminance has in proportion fewer; points have all.
   int shadow_lines = 128;
   double typical_lx = 0.0;   ///< see `typical_illuminance_lx`; 0: every cell has all
   bool in_the_way = true;    ///< false where nothing can be: visibility is not tested (mirrors' edges are)
 };
 
-/// The direct light of one emitter on any receiver. Mirrors reflect it whole: what they absorb is for the
+/// The direct light of one source on any receiver. Mirrors reflect it whole: what they absorb is for the
 /// caller to take off.
 ///
 /// E = 1/(A_cell A_opening) times the integral over cell and opening of I(direction) cos(theta) / r^2
@@ -52,14 +52,16 @@ struct PairOptions {
 /// hull of the pair, exactly: not at all, wholly (0), or in part; in part, the share is found along lines
 /// through the opening from points of the cell (or the other way round), on each of which it is exact. The
 /// estimate is unbiased: E = c E_free + mean(visible - c free) with c from the other half of the lines.
-/// Nothing depends on what other emitters there are.
+/// Nothing depends on what other sources there are.
 class PairIntegrator {
  public:
-  PairIntegrator(const Zone& zone, const RayCaster& caster, const ShadowPlates& plates, const Emitter& emitter,
+  PairIntegrator(const Zone& zone, const RayCaster& caster, const ShadowPlates& plates, const LightSource& source,
                  const PairOptions& options);
 
+  const LightSource& source() const { return source_; }
+
   /// The luminaire's factor is left out.
-  /// @param between  of a region that holds the receiver, for this emitter: neighbours share it
+  /// @param between  of a region that holds the receiver, for this source: neighbours share it
   DirectEstimate mean(const Receiver& receiver, PlatesBetween& between) const;
   DirectEstimate mean(const Receiver& receiver) const {
     PlatesBetween between{receiver};
@@ -71,7 +73,7 @@ class PairIntegrator {
   /// are sampled by the solid angle they fill, seen from the opening.
   struct Path {
     Vec3 at{0.0};       ///< on the receiver
-    Vec3 towards{0.0};  ///< unit, to the emitter
+    Vec3 towards{0.0};  ///< unit, to the source
     double lx = 0.0;
   };
   Path path(const Receiver& receiver, const std::array<double, 4>& x) const;
@@ -110,13 +112,12 @@ class PairIntegrator {
   const Zone& zone_;
   const RayCaster& caster_;
   const ShadowPlates& plates_;
-  const Emitter& emitter_;
+  const LightSource& source_;
   const Luminaire& luminaire_;
   const Fitting& fitting_;
   PairOptions options_;
   bool test_paths_;       // one by one
   bool test_visibility_;  // of what is left of a receiver within the beam
-  std::uint64_t stream_;
   OpeningRegion opening_;
   double beam_;  // limit of size over distance within the beam
 };

@@ -1,11 +1,10 @@
-#include "transport/pair_integrator.hpp"
+#include "light/pair_integrator.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "network/stream_key.hpp"
-#include "transport/pair_parts.hpp"
-#include "transport/spherical_rectangle.hpp"
+#include "light/pair_parts.hpp"
+#include "light/spherical_rectangle.hpp"
 
 namespace dim {
 namespace {
@@ -36,19 +35,18 @@ Receiver point_receiver(const Frame& frame, int skip, std::uint64_t stream) {
 }
 
 PairIntegrator::PairIntegrator(const Zone& zone, const RayCaster& caster, const ShadowPlates& plates,
-                               const Emitter& emitter, const PairOptions& options)
+                               const LightSource& source, const PairOptions& options)
     : zone_(zone),
       caster_(caster),
       plates_(plates),
-      emitter_(emitter),
-      luminaire_(emitter.luminaire),
-      fitting_(*emitter.fitting),
+      source_(source),
+      luminaire_(source.luminaire),
+      fitting_(*source.fitting),
       options_(options),
-      test_paths_(options.in_the_way || !emitter.mirrors.empty()),
-      stream_(mix(place_key(emitter.luminaire.at, emitter.luminaire.aim, zone.diameter_m))),
-      opening_(opening_region(emitter.luminaire)),
+      test_paths_(options.in_the_way || !source.mirrors.empty()),
+      opening_(opening_region(source.luminaire)),
       beam_(kNear) {
-  test_visibility_ = test_paths_ && (options.in_the_way || !emitter.beam_is_tight || opening_.ring.size() > 1);
+  test_visibility_ = test_paths_ && (options.in_the_way || !source.beam_is_tight || opening_.ring.size() > 1);
   // A beam must not fall between the points: parts are to be small against its width, too.
   const auto& light = fitting_.intensity;
   if (light.max_cd() > 0.0) beam_ = std::min(kNear, 0.6 * std::sqrt(light.flux_lm() / (kPi * light.max_cd())));
@@ -72,7 +70,7 @@ std::array<PairIntegrator::Side, 2> PairIntegrator::halves(const Side& whole) {
   return parts;
 }
 
-// The part of the cell within the emitter's beam and of the opening before the cell.
+// The part of the cell within the source's beam and of the opening before the cell.
 bool PairIntegrator::clip(const Receiver& receiver, Side& cell, Side& opening) const {
   const Frame& frame = *receiver.frame;
   const ConvexRing above = opening_.ring.front_of(frame.n, glm::dot(frame.n, receiver.ring[0]));
@@ -83,7 +81,7 @@ bool PairIntegrator::clip(const Receiver& receiver, Side& cell, Side& opening) c
   opening = side(above, above.measure() / opening_.measure);
   if (!(opening.share > 0.0)) return false;
   ConvexRing lit = receiver.ring;
-  for (const auto& limit : emitter_.beam.limits) {
+  for (const auto& limit : source_.beam.limits) {
     lit = lit.front_of(limit.normal, limit.offset);
     if (lit.empty()) return false;
   }
@@ -98,17 +96,17 @@ DirectEstimate PairIntegrator::mean(const Receiver& receiver, PlatesBetween& bet
   const Pair pair{cell, opening, receiver.frame->n};
   const double free_lx = free(pair, 0);
   if (!(free_lx > 0.0) || !test_visibility_) return {free_lx, 0.0};
-  Chance chance(receiver.stream ^ stream_);
+  Chance chance(receiver.stream ^ source_.stream);
   const double importance =
       options_.typical_lx > 0.0 && !receiver.is_point() ? std::min(1.0, free_lx / options_.typical_lx) : 1.0;
   const double lines = std::max(2.0, options_.shadow_lines * importance);
   const bool ray = receiver.is_point() && opening.ring.size() == 1;
   if (ray) return {blocked(receiver.ring[0], opening.ring[0], receiver.skip) ? 0.0 : free_lx, 0.0};
-  if (!options_.in_the_way && mirrors_pass_all(zone_, emitter_, {cell.ring.begin(), cell.ring.end()},
+  if (!options_.in_the_way && mirrors_pass_all(zone_, source_, {cell.ring.begin(), cell.ring.end()},
                                                {opening_.bounds.begin(), opening_.bounds.end()}))
     return {free_lx, 0.0};
   const bool beam = beam_ < kNear;
-  if ((lines < kFewLines && !beam) || !emitter_.mirrors.empty())
+  if ((lines < kFewLines && !beam) || !source_.mirrors.empty())
     return by_rays(pair, free_lx, static_cast<int>(std::ceil(lines)), receiver.skip, chance);
   if (!between.known) find(between);
   if (between.found.empty()) return {free_lx, 0.0};
