@@ -30,7 +30,7 @@ std::string photometric_file(const std::string& name, double scale) {
     for (int i = 0; i < n_angles; ++i) {
       const double gamma = radians(angle_deg(i)), plane = radians(45.0 * c - 50.0);
       const double cd = narrow   ? i == 30 ? 0.0 : 4000.0 * std::exp(-std::pow(angle_deg(i) / 15.0, 2))
-                        : turned ? 300.0 * std::cos(gamma) * (1.0 + 0.8 * std::cos(plane) * std::sin(gamma))
+                          : turned ? 300.0 * std::cos(gamma) * (1.0 + 0.8 * std::cos(plane) * std::sin(gamma))
                                  : 250.0 * std::pow(std::cos(gamma), 2);
       text += fmt::format("{:.4f} ", std::max(0.0, cd));
     }
@@ -87,7 +87,8 @@ class Maker {
     for (std::size_t i = 0; i < plan.size(); ++i) {
       const Vec2 a = plan[i], b = plan[(i + 1) % plan.size()];
       const bool mirror = room_.has_mirror && i == 1;
-      room_.faces.push_back({fmt::format("wall{}", i), mirror ? "mirror" : "wall",
+      room_.faces.push_back({fmt::format("wall{}", i),
+                             mirror ? "mirror" : "wall",
                              {Vec3(a, 0), Vec3(a, height_m_), Vec3(b, height_m_), Vec3(b, 0)}});
     }
   }
@@ -118,7 +119,8 @@ class Maker {
           break;
         }
         case 1:  // a screen clear of the floor
-          room_.faces.push_back({name, "wood",
+          room_.faces.push_back({name,
+                                 "wood",
                                  {Vec3(at - r * along, 0.05), Vec3(at + r * along, 0.05),
                                   Vec3(at + r * along, in(1.0, 1.6)), Vec3(at - r * along, 1.0)},
                                  true});
@@ -142,7 +144,15 @@ class Maker {
     const double h = height_m_;
     std::vector<RoomLamp> kinds = {
         {"aside", "aside", "aside.ies", 1800, Vec3(slots[0], h - 0.5), lean, turned(), {0.9, 0.25}, body},
-        {"panel", "panel", "lambertian", 3000, Vec3(slots[1], h - 0.03), {0, 0, -1}, turned(), {0.6, 0.6}, body},
+        {"panel",
+         "panel",
+         "lambertian",
+         3000,
+         Vec3(slots[1], h - 0.03),
+         {0, 0, -1},
+         turned(),
+         {0.6, 0.6},
+         body},
         {"bulb", "bulb", "isotropic", 400, Vec3(slots[2], h - 0.6)},
         {"disc", "disc", "disc.ies", 900, Vec3(slots[2], h - 0.2), {0, 0, -1}, turned(), {}, body},
         {"beam", "beam", "beam.ies", 500, Vec3(slots[3], h - 0.3), lean, turned()}};
@@ -191,15 +201,16 @@ class Writer {
                           name(face.name), face.finish, face.two_sided ? 2 : 1, ring_text(ring));
     }
     for (const auto& box : listed(room_.boxes))
-      text += fmt::format(
-          "[[box]]\nname = \"{}\"\nfinish = \"{}\"\ncorner = {}\nsize = {}\nturn = {:.17g}\n", name(box.name),
-          box.finish, place(box.corner), vector(how_.scale * box.size), box.turn_deg + 90.0 * how_.quarter_turns);
+      text += fmt::format("[[box]]\nname = \"{}\"\nfinish = \"{}\"\ncorner = {}\nsize = {}\nturn = {:.17g}\n",
+                          name(box.name), box.finish, place(box.corner), vector(how_.scale * box.size),
+                          box.turn_deg + 90.0 * how_.quarter_turns);
     text += fmt::format("[[plane]]\nname = \"{}\"\ngrid = [5, 4]\nvertices = {}\n", name("plane"),
                         ring_text(room_.plane));
     text += fmt::format("[[sensors]]\nname = \"{}\"\npoints = [", name("odd"));
     for (const auto& sensor : room_.sensors) {
       const Vec3 p = placed(sensor.position), n = turned(sensor.normal);
-      text += fmt::format("[{:.17g}, {:.17g}, {:.17g}, {:.17g}, {:.17g}, {:.17g}],", p.x, p.y, p.z, n.x, n.y, n.z);
+      text += fmt::format("[{:.17g}, {:.17g}, {:.17g}, {:.17g}, {:.17g}, {:.17g}],", p.x, p.y, p.z, n.x, n.y,
+                          n.z);
     }
     return text + "]\n";
   }
@@ -208,9 +219,10 @@ class Writer {
     std::string text = "dim = \"lights/1\"\n";
     for (const auto& lamp : listed(room_.lamps)) {
       const bool file = lamp.fitting.ends_with(".ies");
-      text += fmt::format("[[luminaire]]\nname = \"{}\"\ngroup = \"{}\"\n{} = \"{}\"\nat = {}\naim = {}\nc0 = {}\n",
-                          name(lamp.name), name(lamp.group), file ? "fitting" : "ideal", lamp.fitting,
-                          place(lamp.at), vector(turned(lamp.aim)), vector(turned(lamp.c0)));
+      text += fmt::format(
+          "[[luminaire]]\nname = \"{}\"\ngroup = \"{}\"\n{} = \"{}\"\nat = {}\naim = {}\nc0 = {}\n",
+          name(lamp.name), name(lamp.group), file ? "fitting" : "ideal", lamp.fitting, place(lamp.at),
+          vector(turned(lamp.aim)), vector(turned(lamp.c0)));
       text += fmt::format("lumens = {:.17g}\n", lamp.lumens);
       if (lamp.opening_m.x > 0.0)
         text += fmt::format("opening = [{:.17g}, {:.17g}]\n", how_.scale * lamp.opening_m.x,
@@ -246,7 +258,9 @@ class Writer {
     return v;
   }
   Vec3 placed(const Vec3& p) const { return how_.offset_m + how_.scale * turned(p); }
-  static std::string vector(const Vec3& v) { return fmt::format("[{:.17g}, {:.17g}, {:.17g}]", v.x, v.y, v.z); }
+  static std::string vector(const Vec3& v) {
+    return fmt::format("[{:.17g}, {:.17g}, {:.17g}]", v.x, v.y, v.z);
+  }
   std::string place(const Vec3& p) const { return vector(placed(p)); }
   std::string ring_text(const Ring3& ring) const {
     std::string text;
@@ -259,7 +273,8 @@ class Writer {
   double cell_m_;
 };
 
-// A plane's points are numbered along its longest edge from its first corner, which depends on how it is written.
+// A plane's points are numbered along its longest edge from its first corner, which depends on how it is
+// written.
 std::vector<std::size_t> order_of_points(const Zone& zone, const Writer& writer) {
   std::map<std::array<long, 6>, std::size_t> by_place;
   for (std::size_t i = 0; i < zone.points.size(); ++i) {
@@ -307,7 +322,8 @@ RoomAnswer answer(const RandomRoom& room, const Writing& writing, const RoomRun&
   options.seed = run.seed;
   const Network network = build_network(zone, cells, options, Job{});
   judge_points(network, zone);
-  const Solution solution = solve(zone, lights, network, {.combine = Combine::group, .gather = {.tolerance = 1e-7}});
+  const Solution solution =
+      solve(zone, lights, network, {.combine = Combine::group, .gather = {.tolerance = 1e-7}});
   const auto order = order_of_points(zone, writer);
   RoomAnswer result;
   for (std::size_t s = 0; s < solution.sources.size(); ++s) {

@@ -38,9 +38,9 @@ struct RoomLamp {
   bool body = false;
 };
 
-/// A room with an irregular quadrilateral or L for a floor, a partition that stands out from a wall, boxes and
-/// thin panels at odd angles, two to four luminaires of different kinds, a plane of points and odd points; some
-/// with a mirror wall, some with luminaires that have bodies. Metres, the floor at z = 0.
+/// A room with an irregular quadrilateral or L for a floor, a partition that stands out from a wall, boxes
+/// and thin panels at odd angles, two to four luminaires of different kinds, a plane of points and odd
+/// points; some with a mirror wall, some with luminaires that have bodies. Metres, the floor at z = 0.
 struct RandomRoom {
   std::uint64_t seed = 0;
   std::vector<RoomFace> faces;
@@ -57,8 +57,9 @@ RandomRoom random_room(std::uint64_t seed);
 struct Writing {
   Vec3 offset_m{0.0};
   double scale = 1.0;
-  int quarter_turns = 0;   ///< about the vertical, before scale and offset
-  bool backwards = false;  ///< surfaces, boxes and luminaires listed the other way round, outlines begun elsewhere
+  int quarter_turns = 0;  ///< about the vertical, before scale and offset
+  bool backwards =
+      false;  ///< surfaces, boxes and luminaires listed the other way round, outlines begun elsewhere
   bool renamed = false;
 };
 

@@ -1,4 +1,6 @@
 // What must not change the answer, over a dozen random furnished rooms, each source and point of them.
+#include "property/furnished_rooms.hpp"
+
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
@@ -7,7 +9,6 @@
 #include <set>
 
 #include "catch.hpp"
-#include "property/furnished_rooms.hpp"
 
 using namespace dim;
 using namespace dim::test;
@@ -124,8 +125,10 @@ class Deviations {
  public:
   void add(std::uint64_t room, const RoomAnswer& got) {
     for (const auto& [name, source] : got) {
-      add(room, name, [](const SourceAnswer& s) { return s.point_lx; }, source);
-      add(room, name, [](const SourceAnswer& s) { return surface_lx(s); }, source);
+      add(
+          room, name, [](const SourceAnswer& s) { return s.point_lx; }, source);
+      add(
+          room, name, [](const SourceAnswer& s) { return surface_lx(s); }, source);
     }
   }
   double rms() const { return root_mean_square(all_); }
@@ -255,8 +258,8 @@ TEST_CASE("A furnished room of another size is lit by one over the square", "[ro
 }
 
 TEST_CASE("A furnished room turned by right angles is lit the same but for sampling", "[rooms][property]") {
-  // Rays have other chances in a turned room. Direct light of points is found along lines where something hides
-  // part of an opening: 0.3 % RMS of what is hidden in part.
+  // Rays have other chances in a turned room. Direct light of points is found along lines where something
+  // hides part of an opening: 0.3 % RMS of what is hidden in part.
   Deviations deviations;
   std::vector<double> direct;
   for (std::uint64_t seed = 1; seed <= kRooms; ++seed) {
@@ -286,13 +289,15 @@ TEST_CASE("A furnished room is lit the same by any number of threads, to the bit
 }
 
 TEST_CASE("Seeds change the light by what more rays take away", "[rooms][property]") {
-  // Reflected light at 2,048 patches a point and 288 a cell: 1 % RMS by the study in the design notes (1.4 % at
-  // 128 patches). Four times the rays have at most half the error: then the seeds' mean is right to its own.
+  // Reflected light at 2,048 patches a point and 288 a cell: 1 % RMS by the study in the design notes (1.4 %
+  // at 128 patches). Four times the rays have at most half the error: then the seeds' mean is right to its
+  // own.
   Deviations deviations;
   std::vector<double> spreads;
   for (std::uint64_t seed = 1; seed <= kRooms; ++seed) {
     CAPTURE(seed);
-    deviations.add(seed, answer(room_of(seed), {}, {.patches = {24, 48}, .point_patches = {64, 128}, .seed = 77}));
+    deviations.add(seed,
+                   answer(room_of(seed), {}, {.patches = {24, 48}, .point_patches = {64, 128}, .seed = 77}));
     for (const auto& [name, source] : lit(seed)) {
       CHECK(lit(seed, 2).at(name).point_direct_lx == source.point_direct_lx);
       CHECK(lit(seed, 2).at(name).point_lx != source.point_lx);
@@ -310,7 +315,8 @@ TEST_CASE("Seeds change the light by what more rays take away", "[rooms][propert
   CHECK(deviations.largest() < 3.0);
 }
 
-TEST_CASE("Cells halved change the light by the error of cells, which halves with them", "[rooms][property]") {
+TEST_CASE("Cells halved change the light by the error of cells, which halves with them",
+          "[rooms][property]") {
   std::vector<double> coarse, fine;
   for (std::uint64_t seed = 1; seed <= kRooms; ++seed) {
     const auto& whole = lit(seed);

@@ -42,7 +42,8 @@ TEST_CASE("Where all surfaces shine alike every cell and point has pi L", "[furn
   const Zone zone = furnace(with_box, reflectance, cell_m);
   const double luminance_cd_m2 = 7.0, exact_lx = kPi * luminance_cd_m2 / (1.0 - reflectance);
   const SimulationOptions options{.combine = Combine::all, .gather = {.tolerance = 1e-6}};
-  const auto solution = solve(zone, luminous_faces(zone, luminance_cd_m2), network_of(zone, {8, 16}), options);
+  const auto solution =
+      solve(zone, luminous_faces(zone, luminance_cd_m2), network_of(zone, {8, 16}), options);
   const auto lx = cell_lx(solution);
   const Cells cells(zone);
   CAPTURE(with_box, cell_m, reflectance);
@@ -52,7 +53,8 @@ TEST_CASE("Where all surfaces shine alike every cell and point has pi L", "[furn
     worst = std::max(worst, std::abs(off));
     squares += off * off / static_cast<double>(lx.size());
   }
-  // A black box's shadows are sampled apart for each of twelve sources; light that is reflected evens them out.
+  // A black box's shadows are sampled apart for each of twelve sources; light that is reflected evens them
+  // out.
   if (!with_box || reflectance > 0.0) CHECK(worst <= 1e-2);
   CHECK(std::sqrt(squares) <= 4e-3);
   CHECK(std::abs(total(cells, lx) / area_m2(cells) / exact_lx - 1.0) <= 2e-4);
