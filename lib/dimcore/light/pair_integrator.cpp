@@ -21,8 +21,10 @@ constexpr double kSmallestShare = 1.0 / 4096.0;
 constexpr double kNearLambertian = 0.5;
 // Against the beam's light, what counts as dark: no care is taken of its shape there.
 constexpr double kSpill = 1e-3;
-// With fewer lines than this, rays cost less.
+// With fewer lines than this, rays cost less; not of a beam narrower than this share of a Lambertian one's width,
+// of which they find next to nothing.
 constexpr int kFewLines = 4;
+constexpr double kNarrow = 0.5;
 // Seen at grazing angles from a cell that faces it, an opening's projected area vanishes.
 constexpr double kLeastRatio = 0.02;
 
@@ -105,8 +107,8 @@ DirectEstimate PairIntegrator::mean(const Receiver& receiver, PlatesBetween& bet
   if (!options_.in_the_way && mirrors_pass_all(zone_, source_, {cell.ring.begin(), cell.ring.end()},
                                                {opening_.bounds.begin(), opening_.bounds.end()}))
     return {free_lx, 0.0};
-  const bool beam = beam_ < kNear;
-  if ((lines < kFewLines && !beam) || !source_.mirrors.empty())
+  const bool narrow = beam_ < kNarrow * kNear;
+  if ((lines < kFewLines && !narrow) || !source_.mirrors.empty())
     return by_rays(pair, free_lx, static_cast<int>(std::ceil(lines)), receiver.skip, chance);
   if (!between.known) find(between);
   if (between.found.empty()) return {free_lx, 0.0};

@@ -106,7 +106,7 @@ class PairIntegrator {
   DirectEstimate by_rays(const Pair& pair, double free_lx, int n, int skip, Chance& chance) const;
   bool lines_on_cell(const Pair& pair, const std::vector<int>& plates) const;
   Vec3 line_direction(const ConvexRing& ring, const Vec3& eye, const std::vector<int>& plates,
-                      ShadowPlates::LooksFrom looks_from, Intervals& hidden) const;
+                      ShadowPlates::LooksFrom looks_from, int n, Intervals& hidden) const;
   bool blocked(const Vec3& receiver, const Vec3& on_opening, int skip) const;
 
   const Zone& zone_;

@@ -12,6 +12,8 @@ constexpr double kNearShadow = 1.0;
 constexpr int kMostShadowHalvings = 8;
 // Pairs of points tried for each that a beam lights.
 constexpr int kMostTries = 64;
+// Lines to each of the trial lines that tell their direction, and most of these in each of four directions.
+constexpr int kLinesPerTrial = 32, kMostTrials = 8;
 
 // Sums of free and visible light over two interleaved halves of the samples, and the unbiased estimate they
 // give: the visible share that corrects one half is taken from the other. At least two samples; exactly 0 or all
@@ -113,14 +115,15 @@ bool PairIntegrator::lines_on_cell(const Pair& pair, const std::vector<int>& pla
 }
 
 // Of four directions the one along which lines differ least in how much of them is hidden: across the edges of
-// the shadow rather than along them.
+// the shadow rather than along them. Trial lines are worth an eighth of the lines, in each direction at least two.
 Vec3 PairIntegrator::line_direction(const ConvexRing& ring, const Vec3& eye, const std::vector<int>& plates,
-                                    ShadowPlates::LooksFrom looks_from, Intervals& hidden) const {
+                                    ShadowPlates::LooksFrom looks_from, int n, Intervals& hidden) const {
   if (ring.size() < 3) return Vec3(0.0);
-  constexpr int kLines = 4;
   constexpr double kLess = 1e-9;  // rounding does not decide between equals
+  const int n_trials = std::min(kMostTrials, n / kLinesPerTrial);
   const Vec3 e1 = glm::normalize(ring[1] - ring[0]);
   const Vec3 e2 = glm::normalize(glm::cross(glm::cross(e1, ring[ring.size() - 1] - ring[0]), e1));
+  if (n_trials < 2) return e1;
   Vec3 best(0.0);
   double least = 1e300;
   for (const Vec3& along : {e1, e2, e1 + e2, e1 - e2}) {
@@ -132,8 +135,8 @@ Vec3 PairIntegrator::line_direction(const ConvexRing& ring, const Vec3& eye, con
     }
     const Vec3 middle = ring.middle();
     double sum = 0.0, squares = 0.0;
-    for (int i = 0; i < kLines; ++i) {
-      const double offset = low + (high - low) * (i + 0.5) / kLines - glm::dot(middle, across);
+    for (int i = 0; i < n_trials; ++i) {
+      const double offset = low + (high - low) * (i + 0.5) / n_trials - glm::dot(middle, across);
       const auto line = ring.chord(middle + offset / glm::dot(across, across) * across, along);
       hidden.clear();
       for (const int plate : plates) plates_.add_hidden(plate, eye, line[0], line[1], looks_from, hidden);
@@ -143,7 +146,7 @@ Vec3 PairIntegrator::line_direction(const ConvexRing& ring, const Vec3& eye, con
       sum += share;
       squares += share * share;
     }
-    const double spread = squares / kLines - sum * sum / (kLines * kLines);
+    const double spread = squares / n_trials - sum * sum / (n_trials * n_trials);
     if (spread > least - kLess) continue;
     least = spread;
     best = along;
@@ -157,7 +160,8 @@ DirectEstimate PairIntegrator::by_lines(const Pair& pair, double free_lx, const 
   const ConvexRing& ring = on_cell ? pair.cell.ring : pair.opening.ring;
   const ConvexRing& eyes = on_cell ? pair.opening.ring : pair.cell.ring;
   const auto looks_from = on_cell ? ShadowPlates::LooksFrom::segment : ShadowPlates::LooksFrom::eye;
-  const Vec3 along = line_direction(ring, on_cell ? pair.opening.middle : pair.cell.middle, plates, looks_from, shadows.hidden);
+  const Vec3 along = line_direction(ring, on_cell ? pair.opening.middle : pair.cell.middle, plates, looks_from, n,
+                                    shadows.hidden);
   const double share = pair.cell.share * pair.opening.share;
   HalfSums sums;
   const FoldedLattice4 points(n, shadows.chance.draw());
