@@ -46,9 +46,15 @@ class LowDiscrepancy4 {
 /// as n^-1.5 to n^-2, where independent points reach n^-0.5. Even and odd points are a lattice each.
 class FoldedLattice4 {
  public:
+  /// Korobov's generators of lattices of 2^m points, by m.
+  using Generators = std::array<std::uint64_t, 11>;
+  /// By least P2.
+  static constexpr Generators kEven = {1, 1, 1, 3, 3, 3, 3, 21, 39, 187, 493};
+
   /// @param wanted  points: the next power of two from 4 to 1024 is made
   /// @param shift   each in [0, 1)
-  FoldedLattice4(int wanted, const std::array<double, 4>& shift) : shift_(shift) {
+  FoldedLattice4(int wanted, const std::array<double, 4>& shift, const Generators& generators = kEven)
+      : generators_(generators), shift_(shift) {
     while (m_ < 10 && (1 << m_) < wanted) ++m_;
   }
 
@@ -59,7 +65,7 @@ class FoldedLattice4 {
     const std::uint64_t last = size() - 1;
     std::array<double, 4> point{};
     std::uint64_t step = index;
-    for (std::size_t d = 0; d < 4; ++d, step *= kGenerator[static_cast<std::size_t>(m_)]) {
+    for (std::size_t d = 0; d < 4; ++d, step *= generators_[static_cast<std::size_t>(m_)]) {
       double x = static_cast<double>(step & last) / static_cast<double>(size()) + shift_[d];
       x -= std::floor(x);
       point[d] = 1.0 - std::abs(2.0 * x - 1.0);
@@ -68,9 +74,7 @@ class FoldedLattice4 {
   }
 
  private:
-  // By least P2; those of 64 and 256 points by least error on blurred edges of shadows, where three of the four
-  // coordinates count, of all there are.
-  static constexpr std::array<std::uint64_t, 11> kGenerator = {1, 1, 1, 3, 3, 3, 37, 21, 69, 187, 493};
+  const Generators& generators_;
   int m_ = 2;
   std::array<double, 4> shift_;
 };

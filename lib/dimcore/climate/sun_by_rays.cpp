@@ -4,7 +4,7 @@
 #include "climate/stored_coefficients.hpp"
 #include "light/sun_disc.hpp"
 #include "sky/direction.hpp"
-#include "transport/direct.hpp"
+#include "light/direct_light.hpp"
 
 namespace dim {
 namespace {
