@@ -1,4 +1,5 @@
 #include "dimout/colour.hpp"
+#include "dimout/daylight.hpp"
 
 int main(int argc, char** argv) {
   dim::Program program("dimout", "Tables and pictures from a luminance database.",
@@ -9,8 +10,10 @@ int main(int argc, char** argv) {
   dim::TableCommands tables(program);
   dim::ColourCommand colour(program);
   dim::ImageCommand image(program);
+  dim::AnnualCommand annual(program);
+  dim::LevelsCommand levels(program);
   return program.run(argc, argv, [&] {
-    tables.run() || colour.run() || image.run();
+    tables.run() || colour.run() || image.run() || annual.run() || levels.run();
     return dim::Exit::done;
   });
 }

@@ -62,12 +62,12 @@ void fill_stats(nlohmann::json& stats, const Solution& solution, const Totals& s
   stats["sources"] = nlohmann::json::array();
   for (const auto& source : solution.sources) stats["sources"].push_back(source_json(source));
   stats["luminaire_bodies"] = solution.plan.n_bodies;
-  stats["luminaire_images"] = solution.plan.n_images;
-  stats["mirror_depth"] = solution.plan.mirror_depth;
-  stats["mirror_rays"] = solution.plan.n_mirror_rays;
-  stats["mirror_rays_share"] = solution.plan.mirror_rays_share;
-  stats["images_uncertain"] = solution.plan.images_uncertain;
-  stats["mirror_rays_cut_off"] = solution.plan.mirror_rays_cut_off;
+  stats["luminaire_images"] = solution.mirrors.n_images;
+  stats["mirror_depth"] = solution.mirrors.deepest();
+  stats["mirror_rays"] = solution.mirrors.n_rays;
+  stats["mirror_rays_share"] = solution.mirrors.rays_share;
+  stats["images_uncertain"] = solution.mirrors.uncertain;
+  stats["mirror_rays_cut_off"] = solution.mirrors.rays_cut_off;
   stats["cells"] = solution.n_cells;
   stats["points"] = solution.n_points;
   stats["bands"] = solution.bands.size();
@@ -109,7 +109,7 @@ Exit report(Program& program, const Solution& solution, const EndOfBounces& end)
                 "use lower reflectances, or more --patches with dimdis");
     return Exit::check_failed;
   }
-  const double uncertain = solution.plan.images_uncertain;
+  const double uncertain = solution.mirrors.uncertain;
   if (!(uncertain <= end.tolerance))
     program.say(
         fmt::format("images in mirrors deeper than those made leave light at points uncertain by {:.2g} %",

@@ -172,7 +172,7 @@ Exit SolveCommand::run() {
   stats["input_hash"] = rays.hash;
   stats["output_hash"] = hash;
   const Exit judged = report(program_, solution, {solver_ == "track", tolerance_});
-  if (explain_) explain(program_, solution.plan, bands);
+  if (explain_) explain(program_, solution, bands);
   return judged;
 }
 

@@ -34,9 +34,9 @@ Zone shiny_room(Kind kind, std::mt19937_64& random) {
 }
 
 // A room ready to be solved for two columns of uneven direct light: on every cell, and on one surface.
-class Room {
+class ShinyRoom {
  public:
-  explicit Room(const Zone& zone)
+  explicit ShinyRoom(const Zone& zone)
       : zone_(zone),
         cells_(zone_),
         network_(network_of(zone_, {8, 16})),
@@ -97,7 +97,7 @@ class Room {
   Columns<double> direct_;
 };
 
-void check_bounds(const Room& room) {
+void check_bounds(const ShinyRoom& room) {
   const auto exact = room.solve(1e-11);
   for (const double tolerance : {1e-1, 1e-2, 1e-3, 1e-4}) {
     const auto gathered = room.solve(tolerance);
@@ -120,7 +120,7 @@ void check_bounds(const Room& room) {
 TEST_CASE("The bound holds with mirrors and with lobes", "[gather][shine][property]") {
   const Kind kind = GENERATE(Kind::mirrors, Kind::lobes, Kind::both);
   std::mt19937_64 random(GENERATE(range(1, 5)));
-  check_bounds(Room(shiny_room(kind, random)));
+  check_bounds(ShinyRoom(shiny_room(kind, random)));
 }
 
 TEST_CASE("Mirrors on four walls: the bound is no less than the error", "[gather][shine][unit]") {
@@ -134,7 +134,7 @@ TEST_CASE("Mirrors on four walls: the bound is no less than the error", "[gather
   mirror.specular_reflectance = SpectralCurve(0.9);
   zone.finishes.push_back(mirror);
   for (std::size_t s = 2; s < 6; ++s) zone.surfaces[s].finish = 1;
-  check_bounds(Room(zone));
+  check_bounds(ShinyRoom(zone));
 }
 
 TEST_CASE("Tracking states what it dropped", "[track][property]") {

@@ -10,7 +10,7 @@
 #include "image/render.hpp"
 #include "property/transport_support.hpp"
 #include "reflection/specular.hpp"
-#include "transport/emitter.hpp"
+#include "light/light_source.hpp"
 #include "transport/image_series.hpp"
 
 using namespace dim;
@@ -150,7 +150,7 @@ TEST_CASE("Between facing mirrors every point has the infinite sum of images", "
   CHECK(surface_mean(zone, kFloor, cell_lx(solution)) == Approx(exact).epsilon(2e-3));
   CHECK(worst_imbalance(solution) < 2e-3);
   CHECK(dropped_share(solution) < 1e-4);
-  CHECK(solution.plan.images_uncertain <= 3e-4);
+  CHECK(solution.mirrors.uncertain <= 3e-4);
 }
 
 TEST_CASE("Four mirror walls of 0.95 light points and surfaces as the lattice of images",
@@ -166,7 +166,7 @@ TEST_CASE("Four mirror walls of 0.95 light points and surfaces as the lattice of
         lattice_lx(kSize, lamp, 100.0, zone.points[i].position, zone.points[i].normal, 0.95, 0.95, 150);
     CAPTURE(i);
     CHECK(lx[i] == Approx(exact).epsilon(3e-4));
-    CHECK(std::abs(lx[i] / exact - 1.0) <= solution.plan.images_uncertain);
+    CHECK(std::abs(lx[i] / exact - 1.0) <= solution.mirrors.uncertain);
   }
   const auto cells = cell_lx(solution);
   for (const auto& [face, z, n] : {std::tuple(kFloor, 0.0, 1.0), std::tuple(kCeiling, 3.0, -1.0)}) {
@@ -181,7 +181,7 @@ TEST_CASE("Four mirror walls of 0.95 light points and surfaces as the lattice of
   }
   CHECK(worst_imbalance(solution) < 2e-3);
   CHECK(dropped_share(solution) < 1e-4);
-  CHECK(solution.plan.n_mirror_rays > 0);
+  CHECK(solution.mirrors.n_rays > 0);
 }
 
 TEST_CASE("Images are made to the depth asked for, and what is left out at points is said",
@@ -204,9 +204,9 @@ TEST_CASE("Images are made to the depth asked for, and what is left out at point
       const double all = lattice_lx(kSize, lamp, 100.0, p.position, p.normal, 0.8, 0.0, 300);
       most = std::max(most, 1.0 - exact / all);
     }
-    CHECK(solution.plan.mirror_depth == depth);
-    if (depth < 5) CHECK(solution.plan.images_uncertain > 0.02);
-    if (depth == 40) CHECK(solution.plan.images_uncertain < 1e-4);
+    CHECK(solution.mirrors.deepest() == depth);
+    if (depth < 5) CHECK(solution.mirrors.uncertain > 0.02);
+    if (depth == 40) CHECK(solution.mirrors.uncertain < 1e-4);
     // Flux is kept whatever the depth.
     CHECK(worst_imbalance(solution) < 2e-3);
     CHECK(dropped_share(solution) < 1e-4);
@@ -222,8 +222,8 @@ TEST_CASE("Followed by rays, light comes down where images would bring it", "[mi
   by_rays.mirror_depth = GENERATE(0, 1, 2);
   by_images.mirror_depth = 12;
   const auto rays = solve(zone, lights, network, by_rays), images = solve(zone, lights, network, by_images);
-  CHECK(rays.plan.mirror_depth == *by_rays.mirror_depth);
-  CHECK(rays.plan.mirror_rays_share > 0.1);
+  CHECK(rays.mirrors.deepest() == *by_rays.mirror_depth);
+  CHECK(rays.mirrors.rays_share > 0.1);
   const auto a = cell_lx(rays), b = cell_lx(images);
   for (int face = 0; face < 6; ++face)
     CHECK(surface_mean(zone, face, a) == Approx(surface_mean(zone, face, b)).epsilon(3e-3));
@@ -368,16 +368,16 @@ TEST_CASE("No image is left out that light takes, and no beam too narrow", "[mir
            upright ? IntensityTable::isotropic(1.0) : IntensityTable::lambertian(1.0),
            {.aim = {0.3, -0.2, -1}, .opening = opening});
   constexpr int kDepth = 3;
-  const auto made = make_emitters(zone, lights, mirrors, {kDepth});
+  const auto made = sources_with_images(zone, lights, mirrors, {kDepth});
   const RayCaster caster(plates_of(zone), zone.diameter_m);
   // Every sequence of mirrors, its image made by hand.
-  std::vector<Emitter> all = own_emitters(lights);
+  std::vector<LightSource> all = own_sources(zone, lights);
   std::size_t first = 0;
   for (int depth = 0; depth < kDepth; ++depth) {
     const std::size_t last = all.size();
     for (; first < last; ++first) {
       for (const int mirror : mirrors) {
-        Emitter image = all[first];
+        LightSource image = all[first];
         const Vec3 n = zone.surfaces[static_cast<std::size_t>(mirror)].polygon.normal();
         image.luminaire.at = mirrored(zone, mirror, image.luminaire.at);
         for (Vec3* axis : {&image.luminaire.c0, &image.luminaire.c90, &image.luminaire.aim})
@@ -393,7 +393,7 @@ TEST_CASE("No image is left out that light takes, and no beam too narrow", "[mir
   std::size_t n_paths = 0, n_kept = 0;
   for (const auto& image : all) {
     const auto found =
-        std::find_if(made.begin(), made.end(), [&](const Emitter& e) { return e.mirrors == image.mirrors; });
+        std::find_if(made.begin(), made.end(), [&](const LightSource& e) { return e.mirrors == image.mirrors; });
     n_kept += found != made.end();
     for (int i = 0; i < 300; ++i) {
       const Vec3 p = kSize * Vec3(unit(random), unit(random), unit(random));
@@ -509,7 +509,7 @@ TEST_CASE("Energy closes with mirrors that something stands between", "[mirror][
   options.bands = Bands::uniform(3);
   options.mirror_depth = GENERATE(std::optional<int>(), std::optional<int>(1));
   const auto solution = solve(zone, lights, network_of(zone, {16, 32}), options);
-  CHECK(solution.plan.n_mirror_rays > 0);
+  CHECK(solution.mirrors.n_rays > 0);
   CHECK(worst_imbalance(solution) < 2e-3);
 }
 

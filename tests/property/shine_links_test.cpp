@@ -77,7 +77,7 @@ TEST_CASE("Energy closes to rounding with lobes, mirrors, families, open zones a
       CAPTURE(tolerance, column.received, column.absorbed, column.escaped, column.dropped, column.unbalanced);
       CHECK(std::abs(spent - column.received) <= 1e-6 * column.received);
       CHECK(column.absorbed > 0.0);
-      CHECK(column.escaped >= (kind == 4 ? 0.1 * column.received : 0.0));
+      CHECK(column.escaped >= (kind == 4 ? 0.1 : -1e-12) * column.received);
     }
   }
 }
@@ -179,7 +179,7 @@ TEST_CASE("Diffuse light in two mirrors of glass is that of its images, each mir
               panel_finish, 1.0);
   zone.surfaces.back().bounding = false;
   NetworkOptions options = network_options({16, 32});
-  options.point_patches = {128, 256};
+  options.point_patches = {512, 1024};  // one ray in a hundred finds the panel by a mirror
   const ShineProblem problem(zone, options);
   const std::size_t panel = problem.zone.surfaces.size() - 1, width = kColumnsPerLane;
   std::vector<double> exitance((problem.cells.size() + 1) * width, 0.0);
@@ -222,7 +222,7 @@ TEST_CASE("A shaft of mirrors passes light on as its unfolded lattice says", "[s
   const Vec3 at(0.05, -0.1, h / 2);
   zone.points.push_back({at, {0, 0, -1}});
   NetworkOptions options = network_options({16, 32});
-  options.point_patches = {128, 256};
+  options.point_patches = {512, 1024};  // one ray in a hundred finds the panel by a mirror
   const ShineProblem problem(zone, options);
   const std::size_t width = kColumnsPerLane;
   std::vector<double> exitance((problem.cells.size() + 1) * width, 0.0);

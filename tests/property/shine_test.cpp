@@ -274,8 +274,8 @@ TEST_CASE("Each saving leaves the answer as the full model has it", "[shine][pla
   shared.bands = apart.bands = Bands::uniform(3);
   apart.solve_every_band = true;
   const auto one = solve(zone, lights, network, shared), three = solve(zone, lights, network, apart);
-  CHECK(one.plan.n_classes == 1);
-  CHECK(three.plan.n_classes == 3);
+  CHECK(one.plan.n_classes() == 1);
+  CHECK(three.plan.n_classes() == 3);
   // Every class of its own is the one that all share, bit by bit. [source, class, ...]
   const auto same_in_each_class = [&](const std::vector<float>& shared_by_all, const std::vector<float>& each) {
     REQUIRE(each.size() == 3 * shared_by_all.size());

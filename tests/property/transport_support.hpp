@@ -10,7 +10,8 @@
 #include "network/network.hpp"
 #include "rooms.hpp"
 #include "scene/lights.hpp"
-#include "transport/direct.hpp"
+#include "light/direct_light.hpp"
+#include "light/first_flight.hpp"
 #include "transport/simulate.hpp"
 
 /// Light sources in code, and the closed forms that tests of direct light compare with.
@@ -60,6 +61,11 @@ inline DirectLight direct(const Zone& zone, const Lights& lights) {
   std::vector<std::size_t> source_of(lights.luminaires.size());
   for (std::size_t l = 0; l < source_of.size(); ++l) source_of[l] = l;
   return direct_light(zone, Cells(zone), lights, source_of, source_of.size(), Job{});
+}
+
+/// The first flights of all luminaires.
+inline std::vector<FirstFlight> flights_of(const Zone& zone, const Lights& lights, int n_rays) {
+  return first_flights(zone, lights, Obstructions(zone, lights).caster(), n_rays, Job{});
 }
 
 inline Network network_of(const Zone& zone, const PatchGrid& patches = {}) {

@@ -35,7 +35,7 @@ Run run_with(std::size_t n_threads, bool family) {
   run.direct = test::direct(zone, lights);
   run.network = build_network(zone, Cells(zone), options, Job{});
   run.solution = solve(zone, lights, run.network);
-  run.flights = first_flights(zone, lights, 2048, Job{});
+  run.flights = flights_of(zone, lights, 2048);
   return run;
 }
 

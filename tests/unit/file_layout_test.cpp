@@ -82,12 +82,12 @@ std::vector<std::string> datasets_of(const std::string& path) {
 }
 
 // A room with a lobe and a family, so that nothing optional is missing.
-struct Room {
+struct StoredRoom {
   Zone zone = furnished_room(0.5, 1.0);
   Lights lights = point_lamp({-2, 0, 1.2}, 200.0);
   Network network;
 
-  Room() {
+  StoredRoom() {
     zone.points.push_back({{0.1, 0.2, 0.3}, {0, 0, 1}});
     zone.point_sets.push_back({"p", 0, 1});
     zone.surfaces[0].finish = add_grey(zone, 0.3);
@@ -128,7 +128,7 @@ TEST_CASE("The documentation shows the layouts that files are read by", "[base][
 
 TEST_CASE("What is written is what the layout says, and nothing else", "[base][unit]") {
   const Folder folder;
-  Room().save(folder);
+  StoredRoom().save(folder);
   check_written(folder / "a.rays", "rays", kRaysVersion, rays_schema());
   check_written(folder / "a.lum", "lum", kLumVersion, lum_schema());
 }
@@ -172,7 +172,7 @@ TEST_CASE("A layout binds sizes where they are first named and compares them aft
 
 TEST_CASE("A file that would not fit in memory is refused before it is read", "[base][unit]") {
   const Folder folder;
-  Room().save(folder);
+  StoredRoom().save(folder);
   Job job;
   job.memory_limit_bytes = 10'000;
   CHECK_THROWS_AS(load_rays(folder / "a.rays", job), LimitError);

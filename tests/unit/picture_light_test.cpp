@@ -152,7 +152,7 @@ TEST_CASE("Direct light at pixels is what the integral gives, in blurred shadows
   const Raster raster = render_view(database, database.cells(), {1.0, 1.0}, options, Job{});
 
   const Obstructions obstructions(zone, lights);
-  const auto emitters = own_emitters(lights);
+  const auto emitters = own_sources(zone, lights);
   std::vector<PairIntegrator> exact;
   for (const auto& emitter : emitters)
     exact.emplace_back(zone, obstructions.caster(), obstructions.shadows(), emitter, PairOptions{.shadow_lines = 600});

@@ -316,9 +316,10 @@ TEST_CASE("Photometric files that are missing or wrong are named", "[scene][ligh
   CHECK(bad[0].starts_with("lamps/bad.ies:7:5: "));
 }
 
-TEST_CASE("Daylight and empty files are refused for now", "[scene][lights][unit]") {
+TEST_CASE("A sky over a zone without windows and empty files are refused", "[scene][lights][unit]") {
   check_one(light_problems(one("fitting = \"a.ies\"\nat = [1,1,2.5]") + "[sky]\nmodel = \"uniform\"\n"),
-            "lamps/lights.toml:6:1: daylight is not in this version yet\n        take [sky] out");
+            "lamps/lights.toml:6:1: no light of the sky comes in: the zone is closed and has no window\n"
+            "        give a surface of the zone file a finish of kind = \"glazing\"");
   check_one(light_problems("dim = \"lights/1\"\n"),
             "lamps/lights.toml:1:1: the file has no light source\n        write at least one [[luminaire]]");
   check_one(light_problems("dim = \"zone/1\"\n"),

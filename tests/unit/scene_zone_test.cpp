@@ -1,4 +1,5 @@
 #include "scene_support.hpp"
+#include "scene/zone_assembly.hpp"
 
 using namespace dim;
 using namespace dim::test;

@@ -169,9 +169,6 @@ TEST_CASE("A reflectance of one or more is refused by the finish's name", "[simu
     CHECK(message.find("'snow'") != std::string::npos);
     CHECK(message.find("less than 1") != std::string::npos);
   }
-  Zone zone = box_zone({2, 2, 2}, 0.5, 1.0);
-  zone.finishes[0].kind = FinishKind::glazing;
-  CHECK(refusal(zone).find("glazing") != std::string::npos);
   CHECK(refusal(box_zone({2, 2, 2}, 0.9999, 1.0)).empty());
 }
 

@@ -4,7 +4,7 @@
 
 #include "catch.hpp"
 #include "property/transport_support.hpp"
-#include "transport/opening_region.hpp"
+#include "light/opening_region.hpp"
 
 using namespace dim;
 using namespace dim::test;
@@ -93,8 +93,8 @@ TEST_CASE("Behind a wall the visible share is found without bias", "[direct][val
            {.opening = point ? LuminousOpening{} : rectangle(0.6, 0.6)});
   const Cells cells(zone);
   const Obstructions obstructions(zone, lights);
-  const auto emitters = own_emitters(lights);
-  const PairIntegrator integrator(zone, obstructions.caster(), obstructions.shadows(), emitters[0], {});
+  const auto sources = own_sources(zone, lights);
+  const PairIntegrator integrator(zone, obstructions.caster(), obstructions.shadows(), sources[0], {});
   double sum = 0.0, squares = 0.0, stated = 0.0;
   int n = 0;
   for (std::size_t i = cells.first(0); i < cells.first(1); ++i) {
@@ -208,5 +208,5 @@ TEST_CASE("Beams of a quarter of a degree keep their flux", "[direct][validation
   CAPTURE(cell_m, size_m);
   CHECK(lm == Approx(table.flux_lm()).epsilon(1e-3));
   // First flights are drawn from the beam.
-  CHECK(first_flights(zone, lights, 4096, Job{})[0].flux_lm == Approx(table.flux_lm()).epsilon(1e-3));
+  CHECK(flights_of(zone, lights, 4096)[0].flux_lm == Approx(table.flux_lm()).epsilon(1e-3));
 }

@@ -21,6 +21,8 @@ JsonEntry JsonEntry::at(std::size_t i) const {
   return {json_.at(i), fmt::format("{}[{}]", name_, i), *this};
 }
 
+bool JsonEntry::is_null() const { return json_.is_null(); }
+
 bool JsonEntry::has(const char* key) const { return json_.is_object() && json_.contains(key); }
 
 std::size_t JsonEntry::size(std::size_t n) const {

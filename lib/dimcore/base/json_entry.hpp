@@ -25,6 +25,7 @@ class JsonEntry {
   JsonEntry operator[](const char* key) const;
   JsonEntry at(std::size_t i) const;
   bool has(const char* key) const;
+  bool is_null() const;
 
   static constexpr std::size_t kAny = std::numeric_limits<std::size_t>::max();
   /// Elements of a list; of exactly `n` where that is asked for.

@@ -14,7 +14,7 @@ class ConvexRing {
  public:
   static constexpr int kMostCorners = 40;
 
-  ConvexRing() = default;
+  ConvexRing() {}  // by hand: the defaulted one would let {} set all corners to zero
   explicit ConvexRing(const Vec3& point) { add(point); }
   ConvexRing(const ConvexRing& other) : n_(other.n_) { std::copy_n(other.corner_.data(), n_, corner_.data()); }
   ConvexRing& operator=(const ConvexRing& other) {

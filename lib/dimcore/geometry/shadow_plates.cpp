@@ -122,16 +122,11 @@ void ShadowPlates::candidates(const Shaft& shaft, std::vector<int>& found) const
   std::sort(found.begin(), found.end());
 }
 
-Vec2 ShadowPlates::crossing(const Shadowing& plate, const Vec3& p, double hp, const Vec3& q, double hq) const {
-  const double t = hp / (hp - hq);
-  const Vec3 at = p + t * (q - p);
-  return {glm::dot(plate.u, at) - plate.u0, glm::dot(plate.v, at) - plate.v0};
-}
-
 double ShadowPlates::crossing_share(int index, const Vec3& p, const Vec3& q) const {
   const Shadowing& plate = plates_[static_cast<std::size_t>(index)];
   const double hp = glm::dot(plate.n, p) - plate.n0, hq = glm::dot(plate.n, q) - plate.n0;
-  return hp * hq < 0.0 ? hp / (hp - hq) : 0.5;
+  const bool crossed = hp * hq < 0.0 && std::min(std::abs(hp), std::abs(hq)) > tolerance_m_;
+  return crossed ? hp / (hp - hq) : 0.5;
 }
 
 ShadowPlates::Cover ShadowPlates::cover(int index, const Shaft& shaft) const {
@@ -166,51 +161,57 @@ ShadowPlates::Cover ShadowPlates::cover(int index, const Shaft& shaft) const {
 }
 
 // Lines from one convex ring to another on the other side of the plane cross it in the hull of the corners'
-// crossings: for each end held fast the map to the crossing keeps straight lines straight.
+// crossings: for each end held fast the map to the crossing keeps straight lines straight. On which side of an
+// edge a crossing lies is linear in both ends, each weighted by the other's height: no division is needed.
 ShadowPlates::Cover ShadowPlates::region_cover(const Shadowing& plate, const ConvexRing& a,
                                                const ConvexRing& b) const {
-  std::array<Vec2, 512> region;
-  std::size_t n = 0;
-  Vec2 low(std::numeric_limits<double>::max()), high(std::numeric_limits<double>::lowest());
-  for (const Vec3& p : a) {
-    const double hp = glm::dot(plate.n, p) - plate.n0;
-    for (const Vec3& q : b) {
-      const double hq = glm::dot(plate.n, q) - plate.n0;
-      if (std::abs(hp - hq) <= tolerance_m_ || n == region.size()) return Cover::part;
-      const Vec2 at = crossing(plate, p, hp, q, hq);
-      region[n++] = at;
-      low = glm::min(low, at);
-      high = glm::max(high, at);
+  constexpr std::size_t kMost = ConvexRing::kMostCorners;
+  std::array<Vec3, kMost> of_a, of_b;
+  for (int i = 0; i < a.size(); ++i) of_a[static_cast<std::size_t>(i)] = plate.local(a[i]);
+  for (int i = 0; i < b.size(); ++i) of_b[static_cast<std::size_t>(i)] = plate.local(b[i]);
+  const auto n_a = static_cast<std::size_t>(a.size()), n_b = static_cast<std::size_t>(b.size());
+  for (std::size_t i = 0; i < n_a; ++i) {
+    for (std::size_t k = 0; k < n_b; ++k) {
+      if (std::abs(of_a[i].z - of_b[k].z) <= tolerance_m_) return Cover::part;
     }
   }
-  const double tol = tolerance_m_;
-  if (high.x <= tol || high.y <= tol || low.x >= plate.size_m.x - tol || low.y >= plate.size_m.y - tol) {
-    // A region without extent may lie on the very edge.
-    if (high.x < -tol || high.y < -tol || low.x > plate.size_m.x + tol || low.y > plate.size_m.y + tol ||
-        high.x - low.x > tol || high.y - low.y > tol)
-      return Cover::none;
-  }
-  if (plate.rectangle)
-    return low.x >= -tol && low.y >= -tol && high.x <= plate.size_m.x + tol && high.y <= plate.size_m.y + tol
-               ? Cover::whole
-               : Cover::part;
+  // All crossings beyond an edge: none. @param distance  of a point from the edge, inwards
+  bool whole = true, touches = false;
+  const auto beyond = [&](auto&& distance, double limit_m) {
+    bool all_out = true, all_out_or_on = true;
+    for (std::size_t i = 0; i < n_a; ++i) {
+      const double da = distance(of_a[i]), ha = std::abs(of_a[i].z);
+      for (std::size_t k = 0; k < n_b; ++k) {
+        const double hb = std::abs(of_b[k].z), limit = limit_m * (ha + hb);
+        const double inside = da * hb + distance(of_b[k]) * ha;
+        all_out = all_out && inside < -limit;
+        all_out_or_on = all_out_or_on && inside <= limit;
+        whole = whole && inside >= -limit;
+      }
+    }
+    touches = touches || (all_out_or_on && !all_out);
+    return all_out;
+  };
+  const double tol = tolerance_m_, w = plate.size_m.x, h = plate.size_m.y;
+  if (beyond([](const Vec3& p) { return p.x; }, tol) || beyond([](const Vec3& p) { return p.y; }, tol) ||
+      beyond([&](const Vec3& p) { return w - p.x; }, tol) || beyond([&](const Vec3& p) { return h - p.y; }, tol))
+    return Cover::none;
+  // Along an edge a region with any extent is out; one without may lie on the very edge.
+  if (touches && !(whole && n_a == 1 && n_b == 1)) return Cover::none;
+  if (plate.rectangle) return whole ? Cover::whole : Cover::part;
   if (!plate.convex) return Cover::part;
   const auto& ring = plate.polygon->rings().front();
-  bool whole = true;
+  whole = true;
   for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
     const Vec2 edge = ring[i] - ring[j];
-    const double limit = tol * glm::length(edge);
-    bool all_out = true;
-    for (std::size_t k = 0; k < n; ++k) {
-      const double side = cross2(edge, region[k] - ring[j]);
-      all_out = all_out && side < -limit;
-      whole = whole && side >= -limit;
-    }
-    if (all_out) return Cover::none;
+    if (beyond([&](const Vec3& p) { return cross2(edge, Vec2(p.x, p.y) - ring[j]); }, tol * glm::length(edge)))
+      return Cover::none;
   }
   return whole ? Cover::whole : Cover::part;
 }
 
+// A point of the segment is hidden where its sight line crosses the plate's plane inwards of every edge. In
+// heights and distances from edges this is linear along the segment: h D(eye) + |h(eye)| D(point) >= 0.
 void ShadowPlates::add_hidden(int index, const Vec3& eye, const Vec3& a, const Vec3& b,
                               LooksFrom looks_from, Intervals& hidden) const {
   const Shadowing& plate = plates_[static_cast<std::size_t>(index)];
@@ -221,75 +222,80 @@ void ShadowPlates::add_hidden(int index, const Vec3& eye, const Vec3& a, const V
   const double sign = h > 0.0 ? -1.0 : 1.0;
   const double ha = sign * (glm::dot(plate.n, a) - plate.n0), hb = sign * (glm::dot(plate.n, b) - plate.n0);
   if (ha <= tolerance_m_ && hb <= tolerance_m_) return;
-  double s0 = 0.0, s1 = 1.0;
-  if (ha < 0.0) s0 = ha / (ha - hb);
-  if (hb < 0.0) s1 = ha / (ha - hb);
-  if (!(s1 > s0)) return;
-  const double he = -std::abs(h);
-  const auto at = [&](double s) { return a + s * (b - a); };
-  const double h0 = ha + s0 * (hb - ha), h1 = ha + s1 * (hb - ha);
-  add_crossed(plate, crossing(plate, eye, he, at(s0), std::max(h0, 0.0)),
-              crossing(plate, eye, he, at(s1), std::max(h1, 0.0)), std::max(h0, 0.0) - he,
-              std::max(h1, 0.0) - he, s0, s1, hidden);
+  const double he = std::abs(h), tol = tolerance_m_;
+  double low = 0.0, high = 1.0;
+  // Keeps the part where what is linear along the segment is not negative.
+  const auto keep = [&](double at_a, double at_b) {
+    if (at_a < 0.0) {
+      if (at_b < 0.0) return false;
+      low = std::max(low, at_a / (at_a - at_b));
+    } else if (at_b < 0.0) {
+      high = std::min(high, at_a / (at_a - at_b));
+    }
+    return high > low;
+  };
+  const auto keep_inwards = [&](double of_eye, double of_a, double of_b) {
+    return keep(ha * of_eye + he * of_a, hb * of_eye + he * of_b);
+  };
+  if (!keep(ha, hb)) return;
+  const double ue = glm::dot(plate.u, eye) - plate.u0, ua = glm::dot(plate.u, a) - plate.u0,
+               ub = glm::dot(plate.u, b) - plate.u0, w = plate.size_m.x + tol;
+  if (!keep_inwards(ue + tol, ua + tol, ub + tol) || !keep_inwards(w - ue, w - ua, w - ub)) return;
+  const double ve = glm::dot(plate.v, eye) - plate.v0, va = glm::dot(plate.v, a) - plate.v0,
+               vb = glm::dot(plate.v, b) - plate.v0, height = plate.size_m.y + tol;
+  if (!keep_inwards(ve + tol, va + tol, vb + tol) || !keep_inwards(height - ve, height - va, height - vb)) return;
+  if (plate.rectangle) return hidden.add(low, high);
+  const Vec2 on_eye(ue, ve), on_a(ua, va), on_b(ub, vb);
+  if (!plate.convex) return add_outline(plate, on_eye, he, on_a, ha, on_b, hb, low, high, hidden);
+  const auto& ring = plate.polygon->rings().front();
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+    const Vec2 edge = ring[i] - ring[j];
+    const double slack = tol * glm::length(edge);
+    const auto inwards = [&](const Vec2& p) { return cross2(edge, p - ring[j]) + slack; };
+    if (!keep_inwards(inwards(on_eye), inwards(on_a), inwards(on_b))) return;
+  }
+  hidden.add(low, high);
 }
 
-// The sight line crosses the plate's plane along `from`..`to` while it runs over s0..s1 of the segment; w0, w1
-// are the weights of the projective map between the two.
-void ShadowPlates::add_crossed(const Shadowing& plate, const Vec2& from, const Vec2& to, double w0, double w1,
-                               double s0, double s1, Intervals& hidden) const {
-  const Vec2 along = to - from;
-  const double tol = tolerance_m_;
-  const auto add = [&](double u0, double u1) {
-    const auto s = [&](double u) { return s0 + (s1 - s0) * (u * w0 / (w1 * (1.0 - u) + u * w0)); };
-    if (u1 > u0) hidden.add(s(u0), s(u1));
+// Any outline: the segment is cut wherever its sight line crosses an edge, and between cuts it is hidden or not
+// as a whole (even-odd).
+void ShadowPlates::add_outline(const Shadowing& plate, const Vec2& eye, double he, const Vec2& a, double ha,
+                               const Vec2& b, double hb, double low, double high, Intervals& hidden) const {
+  const auto crossing = [&](double s) {
+    const double h = std::max(0.0, ha + s * (hb - ha));
+    return (h * eye + he * (a + s * (b - a))) / (h + he);
   };
-  if (glm::dot(along, along) <= tol * tol) {
-    const bool inside = plate.rectangle ? from.x >= -tol && from.y >= -tol && from.x <= plate.size_m.x + tol &&
-                                              from.y <= plate.size_m.y + tol
-                                        : plate.polygon->contains(from, tol);
-    if (inside) add(0.0, 1.0);
+  const Vec2 from = crossing(low), along = crossing(high) - from;
+  if (glm::dot(along, along) <= tolerance_m_ * tolerance_m_) {
+    if (plate.polygon->contains(from, tolerance_m_)) hidden.add(low, high);
     return;
   }
-  double low = 0.0, high = 1.0;
-  for (int axis = 0; axis < 2; ++axis) {
-    const double before = -tol - from[axis], behind = plate.size_m[axis] + tol - from[axis];
-    if (along[axis] == 0.0) {
-      if (before > 0.0 || behind < 0.0) return;
-      continue;
-    }
-    const double t0 = before / along[axis], t1 = behind / along[axis];
-    low = std::max(low, std::min(t0, t1));
-    high = std::min(high, std::max(t0, t1));
-  }
-  if (!(high > low)) return;
-  if (plate.rectangle) return add(low, high);
-  // Even-odd along the whole line.
-  std::array<double, 64> inline_cuts;
-  std::vector<double> more_cuts;
+  constexpr std::size_t kFew = 64;
+  std::array<double, kFew> few;
+  std::vector<double> many;
   std::size_t n = 0;
-  const double length2 = glm::dot(along, along);
   for (const auto& ring : plate.polygon->rings()) {
     for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
       const double gi = cross2(along, ring[i] - from), gj = cross2(along, ring[j] - from);
       if ((gi < 0.0) == (gj < 0.0)) continue;
-      const Vec2 cut = ring[j] + (gj / (gj - gi)) * (ring[i] - ring[j]);
-      const double u = glm::dot(cut - from, along) / length2;
-      if (n < inline_cuts.size())
-        inline_cuts[n++] = u;
-      else
-        more_cuts.push_back(u);
+      // Where on the segment the sight line passes through the edge's line.
+      const Vec2 edge = ring[i] - ring[j];
+      const double of_eye = cross2(edge, eye - ring[j]);
+      const double at_a = ha * of_eye + he * cross2(edge, a - ring[j]);
+      const double at_b = hb * of_eye + he * cross2(edge, b - ring[j]);
+      if (at_a == at_b) continue;
+      const double s = at_a / (at_a - at_b);
+      if (n < kFew)
+        few[n] = s;
+      else if (n == kFew)
+        many.assign(few.begin(), few.end());
+      if (n >= kFew) many.push_back(s);
+      ++n;
     }
   }
-  if (!more_cuts.empty()) {
-    more_cuts.insert(more_cuts.end(), inline_cuts.begin(), inline_cuts.end());
-    std::sort(more_cuts.begin(), more_cuts.end());
-    for (std::size_t k = 0; k + 1 < more_cuts.size(); k += 2)
-      add(std::max(0.0, more_cuts[k]), std::min(1.0, more_cuts[k + 1]));
-    return;
-  }
-  std::sort(inline_cuts.begin(), inline_cuts.begin() + static_cast<std::ptrdiff_t>(n));
-  for (std::size_t k = 0; k + 1 < n; k += 2)
-    add(std::max(0.0, inline_cuts[k]), std::min(1.0, inline_cuts[k + 1]));
+  double* cuts = many.empty() ? few.data() : many.data();
+  std::sort(cuts, cuts + n);
+  for (std::size_t k = 0; k + 1 < n; k += 2) hidden.add(std::max(low, cuts[k]), std::min(high, cuts[k + 1]));
 }
 
 }  // namespace dim

@@ -44,7 +44,7 @@ class ShadowPlates {
   /// Plates whose cover is not none, ascending.
   void candidates(const Shaft& shaft, std::vector<int>& found) const;
 
-  /// Where on the way from p (0) to q (1) the plate's plane is crossed; 1/2 where it is not.
+  /// Where on the way from p (0) to q (1) the plate's plane is crossed; 1/2 where it is not, or at an end.
   double crossing_share(int plate, const Vec3& p, const Vec3& q) const;
 
   /// Adds the parts of the segment a..b (0 at a, 1 at b) that `plate` hides from `eye`.
@@ -62,16 +62,17 @@ class ShadowPlates {
     const Polygon* polygon;
     bool rectangle, convex, open_back;
     Vec3 low, high;
+    /// Coordinates in its plane and height over it.
+    Vec3 local(const Vec3& p) const { return {glm::dot(u, p) - u0, glm::dot(v, p) - v0, glm::dot(n, p) - n0}; }
   };
   struct Node {
     Vec3 low, high;
     int first, count;  // plates in order_, or (count 0) the children: the next node and `first`
   };
   int build(int first, int last);
-  Vec2 crossing(const Shadowing& plate, const Vec3& p, double hp, const Vec3& q, double hq) const;
   Cover region_cover(const Shadowing& plate, const ConvexRing& front, const ConvexRing& back) const;
-  void add_crossed(const Shadowing& plate, const Vec2& from, const Vec2& to, double w0, double w1, double s0,
-                   double s1, Intervals& hidden) const;
+  void add_outline(const Shadowing& plate, const Vec2& eye, double he, const Vec2& a, double ha, const Vec2& b,
+                   double hb, double low, double high, Intervals& hidden) const;
 
   double tolerance_m_;
   std::vector<Shadowing> plates_;

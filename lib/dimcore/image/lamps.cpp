@@ -37,7 +37,7 @@ Lamps::Lamps(const LuminanceDatabase& database, const Mix& mix, const LightChann
     depth.push_back(luminaire.mirror_depth);
     factor_.push_back(mix[luminaire.source] * luminaire.factor);
   }
-  for (auto& emitter : make_emitters(database.zone(), lights_, mirrors, depth))
+  for (auto& emitter : sources_with_images(database.zone(), lights_, mirrors, depth))
     if (mix[database.luminaires()[emitter.original].source] > 0.0) emitters_.push_back(std::move(emitter));
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "image/light_field.hpp"
-#include "transport/direct.hpp"
+#include "light/direct_light.hpp"
 
 namespace dim {
 
@@ -18,7 +18,7 @@ class Lamps {
   Lamps& operator=(const Lamps&) = delete;
 
   std::size_t size() const { return emitters_.size(); }
-  const Emitter& emitter(std::size_t e) const { return emitters_[e]; }
+  const LightSource& emitter(std::size_t e) const { return emitters_[e]; }
   const Obstructions& obstructions() const { return *obstructions_; }
   /// In the mix, of a luminaire.
   double factor(std::size_t luminaire) const { return factor_[luminaire]; }
@@ -38,7 +38,7 @@ class Lamps {
   const LightChannels& channels_;
   std::vector<double> factor_;  // [n_luminaires]
   Lights lights_;
-  std::vector<Emitter> emitters_;
+  std::vector<LightSource> emitters_;
   std::unique_ptr<Obstructions> obstructions_;
 };
 

@@ -49,10 +49,14 @@ LightField::LightField(const LuminanceDatabase& database, const Cells& cells, co
         sums[i * n_ + channel] += static_cast<float>(factor * static_cast<double>(values[b * n + i]));
     }
   };
+  // What windows bring has no luminaire to be found from: it stays with the cells.
+  std::vector<bool> of_luminaires(mix.size(), false);
+  for (const auto& luminaire : database.luminaires()) of_luminaires[luminaire.source] = true;
   for (std::size_t s = 0; s < mix.size(); ++s) {
     if (mix[s] == 0.0) continue;
     add(irradiance_, database.cell_irradiance(s), cells.size(), s, mix[s]);
-    if (shading != Shading::cell) add(direct_, database.direct_cell_irradiance(s), cells.size(), s, mix[s]);
+    if (shading != Shading::cell && of_luminaires[s])
+      add(direct_, database.direct_cell_irradiance(s), cells.size(), s, mix[s]);
     if (n_states == 0) continue;
     add(lobes_, database.lobe_radiance(s), n_states, s, mix[s]);
     add(lobes_, database.direct_lobe_radiance(s), n_states, s, -mix[s]);

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include "transport/opening_region.hpp"
+#include "light/opening_region.hpp"
 
 namespace dim {
 namespace {
@@ -154,7 +154,7 @@ class PlaceLight::Halving {
   // Whether the lamp's light at all places of the part is known now.
   bool settle(const Part& part, const Receiver& region, double all_lx, const Open& before, Open& open) {
     const auto& lamps = light_.lamps_;
-    const Emitter& emitter = lamps.emitter(open.lamp);
+    const LightSource& emitter = lamps.emitter(open.lamp);
     if (emitter.beam.misses({region.ring.begin(), region.ring.end()}, lamps.obstructions().caster().tolerance_m()))
       return true;
     const Vec3 middle = region.ring.middle();
@@ -267,7 +267,7 @@ PlaceLight::PlaceLight(const Zone& zone, const Lamps& lamps, const LightField& f
 
 double PlaceLight::bound_lx(std::size_t lamp, const Vec3& middle, double radius_m) const {
   const Ball& ball = balls_[lamp];
-  const Emitter& emitter = lamps_.emitter(lamp);
+  const LightSource& emitter = lamps_.emitter(lamp);
   const Vec3 d = middle - ball.middle;
   const double distance_m = glm::length(d), reach_m = radius_m + ball.radius_m;
   if (distance_m <= 1.01 * reach_m) return std::numeric_limits<double>::infinity();

@@ -106,7 +106,7 @@ void Shader::add_highlights(std::size_t surface, const Vec2& local, const Vec3& 
   const int n_paths = std::max(1, static_cast<int>(std::lround(kHighlightPaths * weight)));
   std::vector<double> tint;
   for (std::size_t e = 0; e < lamps_->size(); ++e) {
-    const Emitter& emitter = lamps_->emitter(e);
+    const LightSource& emitter = lamps_->emitter(e);
     if (emitter.beam.misses({&frame.origin, 1}, lamps_->obstructions().caster().tolerance_m())) continue;
     lamps_->tint(e, frame.origin, tint);
     const std::size_t first = channels_.first_of(database_.luminaires()[emitter.original].source);

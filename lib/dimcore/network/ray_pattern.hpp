@@ -4,16 +4,12 @@
 #include <optional>
 
 #include "base/low_discrepancy.hpp"
+#include "geometry/ray.hpp"
 #include "network/cell_points.hpp"
 #include "network/network.hpp"
 #include "network/stream_key.hpp"
 
 namespace dim {
-
-struct Ray {
-  Vec3 from{0.0};
-  Vec3 direction{0, 0, 1};  ///< unit
-};
 
 /// The rays of one row of a network, from the network's seed: the same ones whenever they are asked for.
 class RowRays {

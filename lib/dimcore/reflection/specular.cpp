@@ -19,6 +19,7 @@ BandReflection reflection_of(const Finish& finish, const Mean& mean) {
   BandReflection reflection;
   reflection.specular = finish.specular;
   reflection.diffuse = (1.0 - finish.specular) * mean(finish.diffuse);
+  if (finish.kind == FinishKind::glazing) reflection.transmittance = mean(finish.transmittance);
   if (finish.specular == 0.0) return reflection;
   if (finish.specular_reflectance) {
     reflection.constant = mean(*finish.specular_reflectance);

@@ -14,6 +14,7 @@ struct BandReflection {
   double specular = 0.0;  ///< k_s
   double n = 1.5, k = 0.0;
   std::optional<double> constant;  ///< measured specular reflectance in place of Fresnel's F
+  double transmittance = 0.0;      ///< of a glazing, at normal incidence
 
   /// k_s F. @param cos_incidence on the facet, 0..1
   double fresnel(double cos_incidence) const;

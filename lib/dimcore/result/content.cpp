@@ -65,11 +65,17 @@ ResultContent content_of(const Zone& zone, const Cells& cells, const Lights& lig
   content.spectra.assign(solution.sources.size(), {SpectralCurve(1.0), true});
   for (std::size_t l = 0; l < lights.luminaires.size(); ++l) {
     const auto& luminaire = lights.luminaires[l];
-    const auto& fitting = lights.fittings[static_cast<std::size_t>(luminaire.fitting)];
+    const auto& fitting = lights.fitting_of(luminaire);
     const std::size_t source = source_of(solution, luminaire.name);
     auto& spectrum = content.spectra[source];
     spectrum = {fitting.spectrum, spectrum.known && fitting.has_spectrum};
-    content.luminaires.push_back(shown(luminaire, source, l < solution.mirror_depth.size() ? solution.mirror_depth[l] : 0));
+    content.luminaires.push_back(shown(luminaire, source, l < solution.mirrors.depth.size() ? solution.mirrors.depth[l] : 0));
+  }
+  content.sky = solution.sky;
+  for (std::size_t s = 0; s < solution.sources.size() && lights.sky; ++s) {
+    if (const auto& daylight = solution.sources[s].daylight)
+      content.spectra[s].curve =
+          daylight->part == DaylightPart::sun ? lights.sky->sun_spectrum : lights.sky->sky_spectrum;
   }
   for (const auto& fitting : lights.fittings) {
     content.photometry.push_back({fitting.name, fitting.intensity.flux_lm(), fitting.watts,

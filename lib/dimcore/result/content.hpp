@@ -61,6 +61,7 @@ struct ResultContent {
   PatchGrid directional_grid;
   Cells cells;
   std::size_t n_direct_classes = 1;
+  std::optional<SkyRecord> sky;
 };
 
 /// @throws InternalError  a luminaire that belongs to no source

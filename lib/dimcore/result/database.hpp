@@ -24,6 +24,8 @@ class LuminanceDatabase {
   /// How finishes reflect in each class of bands, as solved with.
   const ReflectanceClasses& classes() const { return content_.classes; }
   const std::vector<Source>& sources() const { return content_.sources; }
+  /// The outside that it was made for; nothing without daylight.
+  const std::optional<SkyRecord>& sky() const { return content_.sky; }
   const std::vector<ShownSpectrum>& spectra() const { return content_.spectra; }
   const std::vector<ShownLuminaire>& luminaires() const { return content_.luminaires; }
   const std::vector<ShownPhotometry>& photometry() const { return content_.photometry; }

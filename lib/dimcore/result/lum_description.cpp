@@ -21,11 +21,21 @@ Json to_json(const EnergyBalance& e) {
           {"lost_W", e.lost_W},       {"dropped_W", e.dropped_W},   {"imbalance", e.imbalance}};
 }
 
+// As DaylightPart numbers them.
+const std::vector<std::string> kParts = {"sky", "ground", "sun"};
+
 Json to_json(const Source& source, bool spectrum_known) {
   Json energy = Json::array();
   for (const auto& e : source.energy) energy.push_back(to_json(e));
   const auto& w = source.weights;
+  Json daylight;
+  if (source.daylight)
+    daylight = {{"part", kParts[static_cast<std::size_t>(source.daylight->part)]},
+                {"patch", source.daylight->patch},
+                {"state", source.daylight->state},
+                {"as_it_stands", source.daylight->as_it_stands}};
   return {{"name", source.name},
+          {"daylight", std::move(daylight)},
           {"group", source.group},
           {"luminaires", source.luminaires},
           {"flux_lm", source.flux_lm},
@@ -58,6 +68,32 @@ BandWeights weights_from(const JsonEntry& w, std::size_t n_bands) {
           w["y"].numbers(n_bands, 0.0), w["z"].numbers(n_bands, 0.0)};
 }
 
+DaylightOrigin daylight_from(const JsonEntry& d) {
+  constexpr int kMostPatches = 2305;
+  return {static_cast<DaylightPart>(d["part"].word(kParts)), d["patch"].integer(-1, kMostPatches - 1),
+          d["state"].text(), d["as_it_stands"].flag()};
+}
+
+// Coefficients must be of patches that the sky of the file has.
+void check_patches(const JsonEntry& sources, const ResultContent& content) {
+  const int n_patches = content.sky && content.sky->subdivision > 0
+                            ? static_cast<int>(SkyPatches(content.sky->subdivision).size())
+                            : 0;
+  for (std::size_t s = 0; s < content.sources.size(); ++s) {
+    const auto& daylight = content.sources[s].daylight;
+    if (daylight && (daylight->patch >= n_patches || !content.sky))
+      sources.at(s)["daylight"].fail("is of a patch that the sky has not");
+  }
+}
+
+std::optional<SkyRecord> sky_from(const JsonEntry& sky) {
+  if (sky.is_null()) return std::nullopt;
+  SkyRecord record{sky["subdivision"].integer(0, 4), sky["horizontal_lx"].number(0.0),
+                   sky["ground_reflectance"].number(0.0, 1.0)};
+  if (record.subdivision == 3) sky["subdivision"].fail("is 3");
+  return record;
+}
+
 Source source_from(const JsonEntry& entry, std::size_t n_bands) {
   Source source;
   source.name = entry["name"].text();
@@ -71,6 +107,7 @@ Source source_from(const JsonEntry& entry, std::size_t n_bands) {
     source.energy.push_back({e["emitted_W"].number(), e["absorbed_W"].number(), e["escaped_W"].number(),
                              e["lost_W"].number(), e["dropped_W"].number(), e["imbalance"].number()});
   }
+  if (!entry["daylight"].is_null()) source.daylight = daylight_from(entry["daylight"]);
   source.iterations = entry["iterations"].integer(0, std::numeric_limits<int>::max());
   source.residual = entry["residual"].number(0.0);
   source.error_bound = entry["error_bound"].bound();
@@ -108,7 +145,12 @@ ShownLuminaire luminaire_from(const JsonEntry& l, const ResultContent& content) 
 }  // namespace
 
 std::string description_of(const ResultContent& content) {
-  Json json = {{"sources", Json::array()}, {"luminaires", Json::array()}, {"photometry", Json::array()}};
+  Json sky;
+  if (content.sky)
+    sky = {{"subdivision", content.sky->subdivision},
+           {"horizontal_lx", content.sky->horizontal_lx},
+           {"ground_reflectance", content.sky->ground_reflectance}};
+  Json json = {{"sky", std::move(sky)}, {"sources", Json::array()}, {"luminaires", Json::array()}, {"photometry", Json::array()}};
   for (std::size_t s = 0; s < content.sources.size(); ++s)
     json["sources"].push_back(to_json(content.sources[s], content.spectra[s].known));
   for (const auto& luminaire : content.luminaires) json["luminaires"].push_back(to_json(luminaire));
@@ -126,6 +168,8 @@ void read_description(const std::string& text, const std::string& path, ResultCo
     content.sources.push_back(source_from(sources.at(s), content.bands.size()));
     content.spectra.push_back({SpectralCurve(1.0), sources.at(s)["spectrum_known"].flag()});
   }
+  content.sky = sky_from(all["sky"]);
+  check_patches(sources, content);
   for (std::size_t i = 0; i < photometry.size(); ++i) {
     const JsonEntry p = photometry.at(i);
     content.photometry.push_back({p["name"].text(), p["flux_lm"].number(0.0), p["watts"].number(0.0),

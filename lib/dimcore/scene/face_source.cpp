@@ -36,6 +36,19 @@ void read_cells(const TomlTable& table, FaceSource& face) {
   face.grid = table.integers2("grid", 1, kMaxGrid);
 }
 
+// group, and states = { blind = "blind-white-45", open = "glass-clear-6" }
+void read_window_keys(const TomlTable& table, FaceSource& face) {
+  if (const auto group = table.name("group")) face.group = *group;
+  const auto states = table.table("states", table.label() + ", states");
+  if (!states) return;
+  for (const auto& [key, value] : states->raw()) {
+    const std::string_view name = key.str();
+    if (const auto finish = states->name(name))
+      face.states.push_back({std::string(name), *finish, states->place(name)});
+  }
+  if (states->raw().empty()) table.problem("states", "states is empty", "write states = { blind = \"FINISH\" }");
+}
+
 std::optional<Shape> read_surface(const TomlTable& table) {
   Shape shape;
   FaceSource face;
@@ -49,6 +62,7 @@ std::optional<Shape> read_surface(const TomlTable& table) {
   const auto sides = table.integer("sides", 1, 2);
   face.outside = table.flag("outside", false);
   read_cells(table, face);
+  read_window_keys(table, face);
   table.refuse_unknown();
   if (!complete || !name || !finish || !outline) return std::nullopt;
   face.name = *name;

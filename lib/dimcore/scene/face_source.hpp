@@ -24,6 +24,12 @@ struct FaceSource {
   bool of_box = false;
   std::optional<double> cell;
   std::optional<std::pair<int, int>> grid;
+  std::string group;  ///< of a window
+  struct State {
+    std::string name, finish;
+    Place place;
+  };
+  std::vector<State> states;
   Place place;  ///< of the name
   Place vertices_place;
   Place finish_place;

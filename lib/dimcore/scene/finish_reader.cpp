@@ -40,7 +40,7 @@ std::optional<Finish> read_inline(const TomlTable& finishes, std::string_view ke
   }
   read_finish_keys(*table, finish);
   for (const char* note : {"source", "title"}) table->text(note);
-  if (!entry) table->require(finish.kind == FinishKind::glazing ? "transmittance" : "diffuse");
+  if (!entry) require_main_key(*table, finish);
   table->refuse_unknown();
   return finish;
 }

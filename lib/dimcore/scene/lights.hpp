@@ -9,6 +9,7 @@
 #include "photometry/intensity.hpp"
 #include "photometry/opening.hpp"
 #include "photometry/photometry.hpp"
+#include "scene/sky_light.hpp"
 #include "spectrum/curve.hpp"
 
 /// The validated model of a lights file: fittings, each once, and the luminaires that use them, in the zone's
@@ -54,6 +55,11 @@ struct Luminaire {
 struct Lights {
   std::vector<Fitting> fittings;
   std::vector<Luminaire> luminaires;
+  std::optional<SkyLight> sky;
+
+  const Fitting& fitting_of(const Luminaire& luminaire) const {
+    return fittings[static_cast<std::size_t>(luminaire.fitting)];
+  }
 };
 
 }  // namespace dim

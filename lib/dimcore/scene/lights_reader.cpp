@@ -13,6 +13,7 @@
 #include "database/toml_reader.hpp"
 #include "scene/luminaire_body.hpp"
 #include "scene/luminaire_field.hpp"
+#include "scene/sky_reader.hpp"
 #include "scene/zone_frame.hpp"
 
 namespace dim {
@@ -44,16 +45,19 @@ class LightsReader {
         slack_m_(1e-6 * zone.diameter_m),
         problems_(root.context().problems),
         warnings_(warnings),
+        folder_(folder),
+        load_(load),
         shelf_(folder, search, load, problems_, warnings) {}
 
   Lights read() {
     for (const char* key : {"dim", "name"}) root_.text(key);
-    if (root_.has("sky")) root_.problem("sky", "daylight is not in this version yet", "take [sky] out");
+    lights_.sky = read_sky(root_, folder_, load_, shelf_.spectra());
+    check_windows();
     const auto tables = root_.tables("luminaire");
     for (const auto& table : tables) read_entry(table);
-    if (tables.empty() && problems_.empty())
+    if (tables.empty() && !root_.has("sky") && problems_.empty())
       problems_.add({root_.context().file, 1, 1}, "the file has no light source",
-                    "write at least one [[luminaire]]");
+                    "write at least one [[luminaire]], or a [sky]");
     root_.refuse_unknown();
     check_groups();
     problems_.throw_if_any();
@@ -62,6 +66,14 @@ class LightsReader {
   }
 
  private:
+  void check_windows() {
+    const bool any = !zone_.closed || std::any_of(zone_.surfaces.begin(), zone_.surfaces.end(),
+                                                  [&](const Surface& surface) { return is_window(zone_, surface); });
+    if (root_.has("sky") && !any)
+      root_.problem("sky", "no light of the sky comes in: the zone is closed and has no window",
+                    "give a surface of the zone file a finish of kind = \"glazing\"");
+  }
+
   void read_entry(const TomlTable& table) {
     const auto name = table.require("name") ? table.name() : std::nullopt;
     Luminaire luminaire;
@@ -282,6 +294,8 @@ class LightsReader {
   double slack_m_;
   Problems& problems_;
   Warnings& warnings_;
+  const std::string& folder_;
+  const FileLoader& load_;
   FittingShelf shelf_;
   std::map<std::string, int> names_;
   Lights lights_;

@@ -161,7 +161,7 @@ void read_view(const TomlTable& table, const ZoneFrame& frame, UniqueNames& name
   zone.views.push_back(std::move(view));
 }
 
-void read_site(const TomlTable& root, Zone& zone) {
+void read_site(const TomlTable& root, const ZoneFrame& frame, Zone& zone) {
   const auto table = root.table("site", "site");
   if (!table) return;
   Site site;
@@ -170,6 +170,8 @@ void read_site(const TomlTable& root, Zone& zone) {
   site.longitude_deg = table->number_or("longitude", {-180.0, 180.0}, 0.0);
   site.time_zone_h = table->number_or("time_zone", {-14.0, 14.0}, std::round(site.longitude_deg / 15.0));
   site.north_deg = table->number_or("north", {-360.0, 360.0}, 0.0);
+  if (const auto level = table->number("ground_level", kCoordinate))
+    site.ground_m = frame.to_zone({0.0, 0.0, *level}).z;
   table->refuse_unknown();
   zone.site = site;
 }
@@ -181,7 +183,7 @@ void read_receivers(const TomlTable& root, const ZoneFrame& frame, double cell_m
   for (const auto& table : root.tables("plane")) read_plane(table, frame, cell_m, point_sets, zone);
   for (const auto& table : root.tables("sensors")) read_sensors(table, frame, point_sets, zone);
   for (const auto& table : root.tables("view")) read_view(table, frame, views, zone);
-  read_site(root, zone);
+  read_site(root, frame, zone);
 }
 
 }  // namespace dim

@@ -6,6 +6,10 @@
 
 namespace dim {
 
+bool is_window(const Zone& zone, const Surface& surface) {
+  return zone.finishes[static_cast<std::size_t>(surface.finish)].kind == FinishKind::glazing && surface.bounding;
+}
+
 const View& find_view(const Zone& zone, const std::string& name) {
   if (zone.views.empty())
     throw InputError({{}, "zone '" + zone.name + "' has no [[view]]", "add one to the zone file"});

@@ -13,6 +13,12 @@
 /// features cut out of their parents, and everything moved so that the zone's own centre is the origin.
 namespace dim {
 
+/// What a window can be besides its own finish: a blind drawn, another pane.
+struct WindowState {
+  std::string name;
+  int finish = 0;  ///< a glazing; index into Zone::finishes
+};
+
 /// One lit side of a polygon. A two-sided panel is two surfaces that name each other as `twin`.
 struct Surface {
   std::string name;
@@ -25,6 +31,8 @@ struct Surface {
   bool bounding =
       true;  ///< from [[surface]], one-sided, not outside; false for boxes, panels, external obstructions
   bool outside = false;  ///< external obstruction
+  std::string group;     ///< of a window: windows of one group are lit and switched together
+  std::vector<WindowState> states;
   /// What the polygon lacks of its bounding rectangle is covered by faces that touch it (furniture standing
   /// on a floor): no ray gets there, so a hit may be tested against the rectangle alone.
   bool fills_rectangle = false;
@@ -80,7 +88,8 @@ struct Site {
   double latitude_deg = 0.0;   ///< north positive
   double longitude_deg = 0.0;  ///< east positive
   double time_zone_h = 0.0;
-  double north_deg = 0.0;  ///< of +y, clockwise seen from above
+  double north_deg = 0.0;  ///< true north, from +y, clockwise seen from above
+  std::optional<double> ground_m;  ///< level of the ground, zone-centred; lowest corner where not said
 };
 
 struct Zone {
@@ -91,6 +100,8 @@ struct Zone {
   double volume_m3 =
       0.0;              ///< enclosed by the bounding surfaces (divergence theorem); meaningful where `closed`
   bool closed = false;  ///< every edge of the bounding surfaces is met by another
+  /// What would close it, facing into the zone; empty where it is closed or no flat polygons would.
+  std::vector<Polygon> openings;
   std::vector<Finish> finishes;
   std::vector<Surface> surfaces;
   std::vector<MeasuringPlane> planes;
@@ -99,6 +110,9 @@ struct Zone {
   std::vector<View> views;
   std::optional<Site> site;
 };
+
+/// Whether light of the outside comes in through the surface: a glazed part of the shell.
+bool is_window(const Zone& zone, const Surface& surface);
 
 /// The view of that name, the first one for an empty name.
 /// @throws InputError  no such view, or a zone without views

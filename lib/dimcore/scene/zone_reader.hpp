@@ -10,10 +10,6 @@
 
 namespace dim {
 
-/// Target cell edge where neither the file nor the command line says one: 0.25 m, or a twentieth of the
-/// zone's diameter in zones smaller than 5 m.
-inline constexpr double kDefaultCell_m = 0.25;
-
 /// Reads a zone file (interface.md) into the validated model: metres, centre of the bounding box of all
 /// surfaces at the origin, boxes and copies expanded, features cut out of their parents, the common area of
 /// faces that touch back to back taken away on both sides (it never sees light).

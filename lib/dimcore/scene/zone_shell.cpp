@@ -243,7 +243,7 @@ ShellCheck check_shell(const std::vector<Surface>& surfaces, const ZoneFrame& fr
   }
   shell.check_facing(problems, warnings);
   warn_of_leaks(shell, frame, warnings);
-  return {shell.leaking().empty() && shell.volume_m3() > 0.0, shell.volume_m3()};
+  return {shell.leaking().empty() && shell.volume_m3() > 0.0, shell.volume_m3(), shell.leaking()};
 }
 
 }  // namespace dim

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "scene/shell_edges.hpp"
 #include "scene/zone.hpp"
 #include "scene/zone_frame.hpp"
 
@@ -11,6 +12,7 @@ namespace dim {
 struct ShellCheck {
   bool closed = false;
   double volume_m3 = 0.0;
+  std::vector<LeakingEdge> leaking;  ///< edges through which light leaves the zone
 };
 
 /// Examines the bounding surfaces (parents before features are cut from them) as a shell.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/json_entry.hpp"
+#include "reflection/klems.hpp"
 
 namespace dim {
 namespace {
@@ -144,10 +145,23 @@ Json finish_to_json(const Finish& finish) {
                {"distribution", finish.distribution},
                {"transmittance", to_json(finish.transmittance)},
                {"angular_law", finish.angular_law},
+               {"by_angle", finish.by_angle},
+               {"direct", finish.direct},
                {"source", finish.source}};
+  if (finish.bsdf) json["bsdf"] = finish.bsdf->values();
   if (finish.extinction) json["extinction"] = to_json(*finish.extinction);
   if (finish.specular_reflectance) json["specular_reflectance"] = to_json(*finish.specular_reflectance);
   return json;
+}
+
+std::vector<std::pair<double, double>> angles_from(const JsonEntry& json) {
+  std::vector<std::pair<double, double>> points;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    json.at(i).size(2);
+    points.emplace_back(json.at(i).at(0).number(0.0, 90.0), json.at(i).at(1).number(0.0));
+    if (i > 0 && !(points[i - 1].first < points[i].first)) json.at(i).fail("is not in order of angle");
+  }
+  return points;
 }
 
 Finish finish_from(const JsonEntry& json) {
@@ -161,8 +175,15 @@ Finish finish_from(const JsonEntry& json) {
   json["distribution"].word({"gaussian", "beckmann"});
   finish.distribution = json["distribution"].text();
   finish.transmittance = curve(json["transmittance"], 0.0, 1.0);
-  json["angular_law"].word({"glass", "constant"});
+  json["angular_law"].word({"glass", "constant", "table", "diffusing", "bsdf"});
   finish.angular_law = json["angular_law"].text();
+  finish.by_angle = angles_from(json["by_angle"]);
+  finish.direct = json["direct"].number(0.0, 1.0);
+  if (json.has("bsdf"))
+    finish.bsdf = std::make_shared<const KlemsMatrix>(json["bsdf"].numbers(klems::kPatches * klems::kPatches, 0.0));
+  else if (finish.angular_law == "bsdf")
+    json["angular_law"].fail("is bsdf without a 'bsdf' beside it");
+  if (finish.angular_law == "table" && finish.by_angle.empty()) json["by_angle"].fail("has no point");
   finish.source = json["source"].text();
   if (json.has("extinction")) finish.extinction = curve(json["extinction"], 0.0, HUGE_VAL);
   if (json.has("specular_reflectance"))
@@ -193,6 +214,14 @@ Json description(const Zone& zone) {
                     {"longitude_deg", zone.site->longitude_deg},
                     {"time_zone_h", zone.site->time_zone_h},
                     {"north_deg", zone.site->north_deg}};
+  if (zone.site && zone.site->ground_m) json["site"]["ground_m"] = *zone.site->ground_m;
+  json["windows"] = Json::array();
+  for (std::size_t s = 0; s < zone.surfaces.size(); ++s) {
+    if (zone.surfaces[s].group.empty()) continue;
+    Json states = Json::array();
+    for (const auto& state : zone.surfaces[s].states) states.push_back({{"name", state.name}, {"finish", state.finish}});
+    json["windows"].push_back({{"surface", s}, {"group", zone.surfaces[s].group}, {"states", std::move(states)}});
+  }
   return json;
 }
 
@@ -227,7 +256,20 @@ void read_description(const JsonEntry& json, Zone& zone, const std::vector<Polyg
   if (!json.has("site")) return;
   const JsonEntry site = json["site"];
   zone.site = Site{site["latitude_deg"].number(-90.0, 90.0), site["longitude_deg"].number(),
-                   site["time_zone_h"].number(), site["north_deg"].number()};
+                   site["time_zone_h"].number(), site["north_deg"].number(), {}};
+  if (site.has("ground_m")) zone.site->ground_m = site["ground_m"].number();
+}
+
+void read_windows(const JsonEntry& windows, Zone& zone) {
+  for (std::size_t i = 0; i < windows.size(); ++i) {
+    const JsonEntry window = windows.at(i);
+    Surface& surface = zone.surfaces[window["surface"].index(zone.surfaces.size())];
+    surface.group = window["group"].text();
+    const JsonEntry states = window["states"];
+    for (std::size_t k = 0; k < states.size(); ++k)
+      surface.states.push_back({states.at(k)["name"].text(),
+                                static_cast<int>(states.at(k)["finish"].index(zone.finishes.size()))});
+  }
 }
 
 // One row a surface: finish, parent, twin, bounding, outside, fills rectangle, grid nu, grid nv (0: none
@@ -328,6 +370,9 @@ void store_zone(Hdf5Writer& file, const Zone& zone) {
   PackedPolygons planes;
   for (const auto& plane : zone.planes) planes.add(plane.polygon, zone.origin_m);
   store_polygons(file, "/zone/planes/", planes);
+  PackedPolygons openings;
+  for (const auto& opening : zone.openings) openings.add(opening, zone.origin_m);
+  store_polygons(file, "/zone/openings/", openings);
   std::vector<double> points;
   for (const auto& point : zone.points)
     points.insert(points.end(), {point.position.x, point.position.y, point.position.z, point.normal.x,
@@ -365,7 +410,12 @@ const FileSchema& zone_schema() {
                      {"/zone/planes/n_rings", "uint32", "planes", "1", Allowed::positive},
                      {"/zone/planes/n_corners", "uint32", "plane_rings"},
                      {"/zone/planes/corner_uv", "float64", "plane_corners, 2", "m", Allowed::finite},
-                     {"/zone/planes/vertex", "float64", "plane_corners, 3", "m", Allowed::finite}};
+                     {"/zone/planes/vertex", "float64", "plane_corners, 3", "m", Allowed::finite},
+                     {"/zone/openings/frame", "float64", "openings, 4, 3", "m", Allowed::finite},
+                     {"/zone/openings/n_rings", "uint32", "openings", "1", Allowed::positive},
+                     {"/zone/openings/n_corners", "uint32", "opening_rings"},
+                     {"/zone/openings/corner_uv", "float64", "opening_corners, 2", "m", Allowed::finite},
+                     {"/zone/openings/vertex", "float64", "opening_corners, 3", "m", Allowed::finite}};
     return zone;
   }();
   return schema;
@@ -383,6 +433,8 @@ Zone load_zone(const Hdf5Reader& file, const std::string& path) {
   load_points(file, zone, path);
   read_description(JsonEntry(json, kDescription, path), zone, load_polygons(file, "/zone/planes/", path));
   load_surfaces(file, zone, path);
+  zone.openings = load_polygons(file, "/zone/openings/", path);
+  read_windows(JsonEntry(json, kDescription, path)["windows"], zone);
   return zone;
 }
 

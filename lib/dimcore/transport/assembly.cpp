@@ -29,14 +29,14 @@ std::vector<float> transposed(std::size_t n, std::size_t n_sources, std::size_t 
   return rows;
 }
 
-}  // namespace
-
+// Rows [source, class, i] of the first `n_rows` of a solver's columns class * n_sources + source.
 std::vector<float> rows_of_columns(const Columns<float>& columns, std::size_t n_rows, std::size_t n_sources) {
   return transposed(n_rows, n_sources, columns.n_columns(), [&](std::size_t i, std::size_t column) {
     return static_cast<double>(columns.value(i, column));
   });
 }
 
+// The same of light by direction, from flux per area into each patch to its mean per solid angle.
 std::vector<float> rows_of_states(const std::vector<float>& columns, const PatchGrid& grid,
                                   std::size_t n_sources, std::size_t n_columns) {
   const std::size_t n = n_columns ? columns.size() / n_columns : 0;
@@ -47,19 +47,22 @@ std::vector<float> rows_of_states(const std::vector<float>& columns, const Patch
   });
 }
 
+// Fills the energy balance and the convergence figures of sources from the ends of the columns.
 void add_energy(Solution& solution, const std::vector<ColumnReport>& columns,
-                const std::vector<FirstFlight>& flights) {
+                const std::vector<FirstFlight>& flights, const std::vector<std::vector<double>>& class_flux_lm) {
   const std::size_t n_sources = solution.sources.size();
   for (std::size_t s = 0; s < n_sources; ++s) {
     Source& source = solution.sources[s];
     for (std::size_t b = 0; b < solution.bands.size(); ++b) {
-      const auto& column = columns[solution.classes.of_band[b] * n_sources + s];
+      const std::size_t klass = solution.classes.of_band[b];
+      const auto& column = columns[klass * n_sources + s];
       const double watts = source.watts_per_lumen(b);
+      const double flux_lm = class_flux_lm[s].empty() ? source.flux_lm : class_flux_lm[s][klass];
       EnergyBalance energy;
-      energy.emitted_W = source.flux_lm * watts;
+      energy.emitted_W = flux_lm * watts;
       energy.absorbed_W = column.absorbed * watts;
-      energy.escaped_W = (column.escaped + flights[s].escaped * source.flux_lm) * watts;
-      energy.lost_W = flights[s].lost * source.flux_lm * watts;
+      energy.escaped_W = (column.escaped + flights[s].escaped * flux_lm) * watts;
+      energy.lost_W = flights[s].lost * flux_lm * watts;
       energy.dropped_W = column.dropped * watts;
       const double accounted = energy.absorbed_W + energy.escaped_W + energy.lost_W + energy.dropped_W;
       energy.imbalance = energy.emitted_W > 0.0 ? 1.0 - accounted / energy.emitted_W : 0.0;
@@ -85,6 +88,73 @@ void check_storable(const Solution& solution) {
                                   static_cast<double>(std::numeric_limits<float>::max())),
                       "check the intensity, lumens and dim of its luminaires"});
   }
+}
+
+}  // namespace
+
+Reflectances diffuse_reflectances(const Zone& zone, const ModelPlan& plan) {
+  const std::size_t n_classes = plan.n_classes();
+  Reflectances result{n_classes, std::vector<double>(zone.surfaces.size() * n_classes),
+                      std::vector<std::size_t>(plan.n_columns())};
+  for (std::size_t c = 0; c < plan.n_columns(); ++c) result.class_of_column[c] = c / plan.n_sources();
+  for (std::size_t surface = 0; surface < zone.surfaces.size(); ++surface) {
+    for (std::size_t q = 0; q < n_classes; ++q)
+      result.of_surface[surface * n_classes + q] = plan.classes.at(q, zone.surfaces[surface].finish).diffuse;
+  }
+  return result;
+}
+
+Assembly::Assembly(const Room& room, const ModelPlan& plan, const Shine& shine, const Bands& bands)
+    : room_(room), plan_(plan), shine_(shine) {
+  solution_.bands = bands;
+  solution_.classes = plan.classes;
+  solution_.sources = plan.sources;
+  solution_.plan = plan;
+  solution_.n_cells = room.n_zone_cells;
+  solution_.n_points = room.n_points();
+  solution_.directional.grid = shine.grid();
+  solution_.directional.cells = shine.off_specular();
+}
+
+Columns<float> Assembly::add_direct(const DirectColumns& direct) {
+  const std::size_t n_sources = plan_.n_sources();
+  solution_.n_direct_classes = direct.n_columns / n_sources;
+  solution_.cell_direct =
+      rows_of_columns(Columns<float>::from_rows(direct.cell, direct.n_columns), solution_.n_cells, n_sources);
+  auto point = Columns<float>::from_rows(direct.point, direct.n_columns);
+  solution_.point_direct = rows_of_columns(point, solution_.n_points, n_sources);
+  solution_.directional.direct = rows_of_states(direct.shine.psi, shine_.grid(), n_sources, plan_.n_columns());
+  solution_.mirrors = direct.outcome;
+  for (const double uncertain : direct.uncertain)
+    solution_.mirrors.uncertain = std::max(solution_.mirrors.uncertain, uncertain);
+  return point;
+}
+
+void Assembly::add_total(Gathered<float> gathered, const DirectColumns& direct,
+                         const std::vector<FirstFlight>& flights, const DaylightSources* daylight) {
+  for (std::size_t c = 0; c < plan_.n_columns() && shine_.any(); ++c) {
+    gathered.columns[c].absorbed -= direct.shine.mirrored[c] + direct.shine.not_followed[c];
+    gathered.columns[c].dropped += direct.shine.not_followed[c];
+    gathered.columns[c].escaped += direct.shine.escaped[c];
+    gathered.columns[c].error_bound += direct.uncertain[c];
+  }
+  const std::size_t n_sources = plan_.n_sources();
+  solution_.cell_total = rows_of_columns(gathered.cell, solution_.n_cells, n_sources);
+  solution_.point_total = rows_of_columns(gathered.point, solution_.n_points, n_sources);
+  solution_.directional.total = rows_of_states(gathered.psi, shine_.grid(), n_sources, plan_.n_columns());
+  solution_.counters["reflections"] = static_cast<double>(gathered.counts.reflections);
+  solution_.counters["link_columns"] = static_cast<double>(gathered.counts.link_columns);
+  std::vector<std::vector<double>> class_flux_lm(n_sources);
+  if (daylight) {
+    solution_.sky = daylight->record();
+    daylight->take_flux(solution_.sources, class_flux_lm, gathered.columns);
+  }
+  add_energy(solution_, gathered.columns, flights, class_flux_lm);
+}
+
+Solution Assembly::finish() {
+  check_storable(solution_);
+  return std::move(solution_);
 }
 
 }  // namespace dim

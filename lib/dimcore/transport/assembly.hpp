@@ -2,27 +2,41 @@
 
 #include <vector>
 
-#include "transport/columns.hpp"
-#include "transport/direct.hpp"
+#include "light/first_flight.hpp"
+#include "transport/daylight_columns.hpp"
+#include "transport/direct_columns.hpp"
 #include "transport/gather.hpp"
 #include "transport/solution.hpp"
 
 namespace dim {
 
-/// Rows [source, class, i] as they are stored, of the first `n_rows` of a solver's columns
-/// class * n_sources + source. What ended below zero by rounding is zero.
-std::vector<float> rows_of_columns(const Columns<float>& columns, std::size_t n_rows, std::size_t n_sources);
+/// Diffuse reflectances of surfaces for every column of a plan.
+Reflectances diffuse_reflectances(const Zone& zone, const ModelPlan& plan);
 
-/// The same of light by direction, from flux per area into each patch to its mean per solid angle.
-std::vector<float> rows_of_states(const std::vector<float>& columns, const PatchGrid& grid,
-                                  std::size_t n_sources, std::size_t n_columns);
+/// Puts a solution together, from columns as they are solved into rows as they are stored; what ended below zero
+/// by rounding is zero.
+class Assembly {
+ public:
+  Assembly(const Room& room, const ModelPlan& plan, const Shine& shine, const Bands& bands);
 
-/// Fills the energy balance and the convergence figures of `solution.sources` from the ends of the columns.
-/// @param flights  [n_sources]
-void add_energy(Solution& solution, const std::vector<ColumnReport>& columns,
-                const std::vector<FirstFlight>& flights);
+  /// Direct light of luminaires and images, before `DirectColumns::add_followed`.
+  /// @returns that of measuring points, as columns
+  Columns<float> add_direct(const DirectColumns& direct);
 
-/// @throws InputError  naming the first source whose light is beyond what single precision holds
-void check_storable(const Solution& solution);
+  /// All light, the counts, and the energy balance of every source and band.
+  /// @param flights   [n_sources]
+  /// @param daylight  null without a sky
+  void add_total(Gathered<float> gathered, const DirectColumns& direct, const std::vector<FirstFlight>& flights,
+                 const DaylightSources* daylight);
+
+  /// @throws InputError  naming the first source whose light is beyond what single precision holds
+  Solution finish();
+
+ private:
+  const Room& room_;
+  const ModelPlan& plan_;
+  const Shine& shine_;
+  Solution solution_;
+};
 
 }  // namespace dim

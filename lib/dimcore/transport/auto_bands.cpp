@@ -45,11 +45,20 @@ LampSpectra lamp_spectra(const Lights& lights) {
   std::map<int, double> flux_lm;
   for (const auto& luminaire : lights.luminaires)
     flux_lm[luminaire.fitting] +=
-        luminaire.factor * lights.fittings[static_cast<std::size_t>(luminaire.fitting)].intensity.flux_lm();
+        luminaire.factor * lights.fitting_of(luminaire).intensity.flux_lm();
   LampSpectra lamps;
   for (const auto& [fitting, flux] : flux_lm) {
     lamps.spectra.push_back(lights.fittings[static_cast<std::size_t>(fitting)].spectrum);
     lamps.flux_lm.push_back(flux);
+  }
+  if (!lights.sky) return lamps;
+  // How much of it comes in is not known yet: as much as falls on a square metre outside.
+  const auto& now = lights.sky->now;
+  lamps.spectra.push_back(lights.sky->sky_spectrum);
+  lamps.flux_lm.push_back(now ? now->sky.horizontal_lx() : 1.0);
+  if (now && now->direct_normal_lx > 0.0) {
+    lamps.spectra.push_back(lights.sky->sun_spectrum);
+    lamps.flux_lm.push_back(now->direct_normal_lx);
   }
   return lamps;
 }

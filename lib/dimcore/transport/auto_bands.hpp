@@ -13,7 +13,7 @@ struct LampSpectra {
   std::vector<SpectralCurve> spectra;
   std::vector<double> flux_lm;
 };
-/// Those of the luminaires, one for each fitting that is used.
+/// Those of the luminaires, one for each fitting that is used, of the sky and of the sun.
 LampSpectra lamp_spectra(const Lights& lights);
 
 /// The fewest bands for the lamps and the finishes of the zone's surfaces (choose_bands).

@@ -1,8 +1,6 @@
 #include "transport/cell_light.hpp"
 
-#include <bit>
-
-#include "transport/direct.hpp"
+#include "light/direct_light.hpp"
 
 namespace dim {
 namespace {
@@ -11,21 +9,13 @@ constexpr std::uint64_t kMostTries = 256;  // until a path is found
 
 }  // namespace
 
-Vec3 middle_of(const Zone& zone, const Cells& cells, std::size_t cell) {
-  return zone.surfaces[cells.surface_of(cell)].polygon.frame().to_world(cells[cell].centroid);
+Vec3 middle_of(const Room& room, std::size_t cell) {
+  return room.surface_of(cell).polygon.frame().to_world(room.cells[cell].centroid);
 }
 
-std::uint64_t stream_of(const Emitter& emitter) {
-  const Vec3& at = emitter.luminaire.at;
-  std::uint64_t stream = 0;
-  for (const double x : {at.x, at.y, at.z}) stream = mix(stream ^ std::bit_cast<std::uint64_t>(x));
-  return stream;
-}
-
-std::vector<PairIntegrator::Path> paths_of(const Zone& zone, const Cells& cells, const CellLight& light,
-                                           int n) {
-  const Receiver receiver = cell_receiver(zone, cells, light.cell);
-  const LowDiscrepancy4 chance(receiver.stream ^ stream_of(*light.emitter));
+std::vector<PairIntegrator::Path> paths_of(const Room& room, const CellLight& light, int n) {
+  const Receiver receiver = cell_receiver(room.zone, room.cells, light.cell);
+  const LowDiscrepancy4 chance(receiver.stream ^ light.source().stream);
   const auto wanted = static_cast<std::uint64_t>(n);
   std::vector<PairIntegrator::Path> paths;
   double total = 0.0;
@@ -36,18 +26,18 @@ std::vector<PairIntegrator::Path> paths_of(const Zone& zone, const Cells& cells,
     total += path.lx;
   }
   if (!(total > 0.0)) {
-    const Vec3 at = middle_of(zone, cells, light.cell), normal = receiver.frame->n;
-    const Vec3 towards = glm::normalize(light.emitter->luminaire.at - at);
+    const Vec3 at = middle_of(room, light.cell), normal = receiver.frame->n;
+    const Vec3 towards = glm::normalize(light.source().luminaire.at - at);
     return {{at, glm::dot(towards, normal) > 0.0 ? towards : normal, 1.0}};
   }
   for (auto& path : paths) path.lx /= total;
   return paths;
 }
 
-std::vector<double> tints_of(const Zone& zone, const ReflectanceClasses& classes, const Emitter& emitter,
+std::vector<double> tints_of(const Zone& zone, const ReflectanceClasses& classes, const LightSource& source,
                              const Vec3& receiver) {
   std::vector<double> tints(classes.size(), 1.0);
-  tint_by_mirrors(zone, emitter, glm::normalize(emitter.luminaire.at - receiver), tints,
+  tint_by_mirrors(zone, source, glm::normalize(source.luminaire.at - receiver), tints,
                   [&](std::size_t q, int finish) -> const BandReflection& { return classes.at(q, finish); });
   return tints;
 }

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "transport/direct.hpp"
-#include "transport/shine.hpp"
+#include "transport/mirror_outcome.hpp"
+#include "transport/plan.hpp"
 #include "transport/shine_state.hpp"
 
 namespace dim {
@@ -25,10 +25,7 @@ struct DirectColumns {
   DirectShine shine;             ///< over all n_sources * n_classes columns
   std::vector<float> followed_psi;  ///< as shine.psi, of what rays carried on; empty without any
 
-  std::vector<int> mirror_depth;  ///< [n_luminaires] of the images that cells have
-  std::size_t n_images = 0;       ///< for cells and for points
-  std::size_t n_rays = 0;         ///< followed from the last images on
-  double followed_share = 0.0;    ///< of the light of the source of which most was
+  MirrorOutcome outcome;
   /// [n_columns] how far images not made can take a measuring point, over the larger of its direct light and
   /// the cells' mean; the largest of all points
   std::vector<double> uncertain;
@@ -41,12 +38,8 @@ struct DirectColumns {
 /// mirrors reflect less than the tolerance of them, or when they become many; all that mirrors reflect of the
 /// last images is followed by rays, so that flux is kept. Points have deeper images, see `point_images`.
 ///
-/// @param source_of  [n_luminaires]
-/// @param in_the_way    see `direct_light`
-DirectColumns direct_columns(const Zone& zone, const Cells& cells, const Network& network,
-                             const Lights& lights, const ReflectanceClasses& classes, const Shine& shine,
-                             const Obstructions& obstructions, const std::vector<std::size_t>& source_of,
-                             std::size_t n_sources, const MirrorOptions& mirrors, bool in_the_way,
-                             const Job& job);
+/// @throws Interrupted
+DirectColumns direct_columns(const Room& room, const ModelPlan& plan, const Shine& shine,
+                             const MirrorOptions& mirrors, const Job& job);
 
 }  // namespace dim

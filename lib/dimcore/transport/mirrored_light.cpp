@@ -16,31 +16,24 @@ constexpr double kLeastRays = 4, kMostRays = 1024;
 
 }  // namespace
 
-MirroredLight::MirroredLight(const Zone& zone, const Cells& cells, const ReflectanceClasses& classes,
-                             const Shine& shine, const RayCaster& caster,
-                             const std::vector<std::size_t>& source_of, std::size_t n_sources, bool can_leave)
-    : zone_(zone),
-      cells_(cells),
-      classes_(classes),
+MirroredLight::MirroredLight(const Room& room, const ModelPlan& plan, const Shine& shine)
+    : room_(room),
+      plan_(plan),
       shine_(shine),
-      caster_(caster),
-      source_of_(source_of),
-      n_sources_(n_sources),
-      can_leave_(can_leave),
-      reflected_(n_sources * classes.size(), 0.0),
+      reflected_(plan.n_columns(), 0.0),
       escaped_(reflected_),
       not_followed_(reflected_),
-      sent_lm_(n_sources, 0.0),
+      sent_lm_(plan.n_sources(), 0.0),
       rays_(shine.n_off_specular()) {}
 
 double MirroredLight::reflected_lm(const CellLight& light) const {
-  const Surface& surface = zone_.surfaces[cells_.surface_of(light.cell)];
-  const Vec3 at = middle_of(zone_, cells_, light.cell);
-  auto left = tints_of(zone_, classes_, *light.emitter, at);
-  Vec3 direction = glm::normalize(at - light.emitter->luminaire.at);
-  return cells_.area_m2(light.cell) * light.lx *
+  const Surface& surface = room_.surface_of(light.cell);
+  const Vec3 at = middle_of(room_, light.cell);
+  auto left = tints_of(room_.zone, plan_.classes, light.source(), at);
+  Vec3 direction = glm::normalize(at - light.source().luminaire.at);
+  return room_.cells.area_m2(light.cell) * light.lx *
          meet_mirror(surface.polygon.frame().n, direction, left,
-                     [&](std::size_t q) -> const BandReflection& { return classes_.at(q, surface.finish); });
+                     [&](std::size_t q) -> const BandReflection& { return plan_.classes.at(q, surface.finish); });
 }
 
 template <class Handle>
@@ -49,8 +42,8 @@ void MirroredLight::for_runs(const std::vector<CellLight>& lights, const Job& jo
     const std::size_t n_runs = std::min(kBatch, (lights.size() - first + kRun - 1) / kRun);
     std::vector<Run> runs(n_runs);
     tbb::parallel_for(std::size_t{0}, n_runs, [&](std::size_t r) {
-      runs[r].of_source.assign(n_sources_, MirrorFate(classes_.size()));
-      runs[r].sent_lm.assign(n_sources_, 0.0);
+      runs[r].of_source.assign(plan_.n_sources(), MirrorFate(plan_.classes.size()));
+      runs[r].sent_lm.assign(plan_.n_sources(), 0.0);
       const std::size_t begin = first + r * kRun, end = std::min(lights.size(), begin + kRun);
       for (std::size_t i = begin; i < end && !job.stopped(); ++i) handle(lights[i], runs[r]);
     });
@@ -66,23 +59,24 @@ void MirroredLight::pass_on(const std::vector<CellLight>& lights, const Job& job
 void MirroredLight::follow(const std::vector<CellLight>& lights, const std::vector<double>& ray_lm,
                            const Job& job) {
   for_runs(lights, job,
-           [&](const CellLight& light, Run& run) { follow(light, ray_lm[light.emitter->original], run); });
+           [&](const CellLight& light, Run& run) { follow(light, ray_lm[light.source().original], run); });
 }
 
 void MirroredLight::pass_on(const CellLight& light, Run& run) const {
-  const auto mirror = cells_.surface_of(light.cell);
-  const Surface& surface = zone_.surfaces[mirror];
-  const auto tints = tints_of(zone_, classes_, *light.emitter, middle_of(zone_, cells_, light.cell));
-  MirrorFate& fate = run.of_source[source_of_[light.emitter->original]];
+  const auto mirror = room_.cells.surface_of(light.cell);
+  const Surface& surface = room_.surface_of(light.cell);
+  const auto tints = tints_of(room_.zone, plan_.classes, light.source(), middle_of(room_, light.cell));
+  MirrorFate& fate = run.of_source[plan_.source_of[light.source().original]];
   std::vector<double> flux(tints.size());
-  for (const auto& path : paths_of(zone_, cells_, light, kPaths)) {
+  for (const auto& path : paths_of(room_, light, kPaths)) {
     if (!(path.lx > 0.0)) continue;
     for (std::size_t q = 0; q < tints.size(); ++q)
-      flux[q] = cells_.area_m2(light.cell) * light.lx * path.lx * tints[q];
+      flux[q] = room_.cells.area_m2(light.cell) * light.lx * path.lx * tints[q];
     Vec3 direction = -path.towards;
     meet_mirror(surface.polygon.frame().n, direction, flux,
-                [&](std::size_t q) -> const BandReflection& { return classes_.at(q, surface.finish); });
-    const bool gone = can_leave_ && leaves({path.at, direction, 0.0}, static_cast<int>(mirror));
+                [&](std::size_t q) -> const BandReflection& { return plan_.classes.at(q, surface.finish); });
+    // Where nothing can be in the way nothing can be let out either.
+    const bool gone = plan_.tests_visibility && leaves({path.at, direction, 0.0}, static_cast<int>(mirror));
     for (std::size_t q = 0; q < tints.size(); ++q) {
       fate.reflected[q] += flux[q];
       if (gone) fate.escaped[q] += flux[q];
@@ -92,24 +86,24 @@ void MirroredLight::pass_on(const CellLight& light, Run& run) const {
 
 // Whether light that goes on along `path.towards` meets nothing, or a back.
 bool MirroredLight::leaves(const PairIntegrator::Path& path, int mirror) const {
-  const Hit hit = caster_.nearest(path.at, path.towards, mirror);
+  const Hit hit = room_.obstructions.caster().nearest(path.at, path.towards, mirror);
   const auto plate = static_cast<std::size_t>(hit.plate);
-  return hit.plate < 0 || hit.back || plate >= zone_.surfaces.size() || zone_.surfaces[plate].outside;
+  return hit.plate < 0 || hit.back || plate >= room_.zone.surfaces.size() || room_.zone.surfaces[plate].outside;
 }
 
 void MirroredLight::follow(const CellLight& light, double ray_lm, Run& run) const {
-  const std::size_t mirror = cells_.surface_of(light.cell);
-  const std::size_t source = source_of_[light.emitter->original];
-  const auto tints = tints_of(zone_, classes_, *light.emitter, middle_of(zone_, cells_, light.cell));
+  const std::size_t mirror = room_.cells.surface_of(light.cell);
+  const std::size_t source = plan_.source_of[light.source().original];
+  const auto tints = tints_of(room_.zone, plan_.classes, light.source(), middle_of(room_, light.cell));
   const double sent_lm = reflected_lm(light);
   const auto n = static_cast<int>(std::clamp(std::ceil(sent_lm / ray_lm), kLeastRays, kMostRays));
   run.sent_lm[source] += sent_lm;
   MirrorFate& fate = run.of_source[source];
   std::vector<double> left(tints.size());
-  for (const auto& path : paths_of(zone_, cells_, light, n)) {
+  for (const auto& path : paths_of(room_, light, n)) {
     if (!(path.lx > 0.0)) continue;
     ++run.n_rays;
-    const double lm = cells_.area_m2(light.cell) * light.lx * path.lx;
+    const double lm = room_.cells.area_m2(light.cell) * light.lx * path.lx;
     const auto add_to = [&](std::vector<double>& sum) {
       for (std::size_t q = 0; q < tints.size(); ++q) sum[q] += lm * tints[q] * left[q];
     };
@@ -129,23 +123,23 @@ void MirroredLight::follow(const CellLight& light, double ray_lm, Run& run) cons
 }
 
 void MirroredLight::add(const Run& run) {
-  const std::size_t n_classes = classes_.size(), n_columns = n_sources_ * n_classes;
+  const std::size_t n_classes = plan_.n_classes(), n_columns = plan_.n_columns();
   n_rays_ += run.n_rays;
-  for (std::size_t s = 0; s < n_sources_; ++s) {
+  for (std::size_t s = 0; s < plan_.n_sources(); ++s) {
     sent_lm_[s] += run.sent_lm[s];
     for (std::size_t q = 0; q < n_classes; ++q) {
-      reflected_[q * n_sources_ + s] += run.of_source[s].reflected[q];
-      escaped_[q * n_sources_ + s] += run.of_source[s].escaped[q];
-      not_followed_[q * n_sources_ + s] += run.of_source[s].not_followed[q];
+      reflected_[plan_.column(s, q)] += run.of_source[s].reflected[q];
+      escaped_[plan_.column(s, q)] += run.of_source[s].escaped[q];
+      not_followed_[plan_.column(s, q)] += run.of_source[s].not_followed[q];
     }
   }
   if (run.landings.empty()) return;
-  if (brought_.empty()) brought_.assign(cells_.size() * n_columns, 0.0);
+  if (brought_.empty()) brought_.assign(room_.cells.size() * n_columns, 0.0);
   for (std::size_t l = 0; l < run.landings.size(); ++l) {
     const auto& landing = run.landings[l];
-    const double per_m2 = 1.0 / cells_.area_m2(landing.cell);
+    const double per_m2 = 1.0 / room_.cells.area_m2(landing.cell);
     for (std::size_t q = 0; q < n_classes; ++q)
-      brought_[landing.cell * n_columns + q * n_sources_ + landing.source] +=
+      brought_[landing.cell * n_columns + plan_.column(landing.source, q)] +=
           per_m2 * run.flux[l * n_classes + q];
     const auto g = shine_.index_of(landing.cell);
     if (g < 0) continue;

@@ -23,10 +23,7 @@ struct MirrorFate {
 /// What mirrors reflect of direct light on them.
 class MirroredLight {
  public:
-  /// @param can_leave  false where mirrors cannot send light out of the zone or onto backs
-  MirroredLight(const Zone& zone, const Cells& cells, const ReflectanceClasses& classes, const Shine& shine,
-                const RayCaster& caster, const std::vector<std::size_t>& source_of, std::size_t n_sources,
-                bool can_leave);
+  MirroredLight(const Room& room, const ModelPlan& plan, const Shine& shine);
 
   /// Most that a mirror cell reflects of a light, over all classes, lm.
   double reflected_lm(const CellLight& light) const;
@@ -70,14 +67,9 @@ class MirroredLight {
   bool leaves(const PairIntegrator::Path& path, int mirror) const;
   void add(const Run& run);
 
-  const Zone& zone_;
-  const Cells& cells_;
-  const ReflectanceClasses& classes_;
+  const Room& room_;
+  const ModelPlan& plan_;
   const Shine& shine_;
-  const RayCaster& caster_;
-  const std::vector<std::size_t>& source_of_;
-  std::size_t n_sources_;
-  bool can_leave_;
   std::vector<double> reflected_, escaped_, not_followed_, sent_lm_;
   std::vector<double> brought_;
   std::vector<std::vector<RayLight>> rays_;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "light/direct_light.hpp"
 #include "network/stream_key.hpp"
 #include "transport/cell_light.hpp"
 #include "transport/image_series.hpp"
@@ -35,16 +36,14 @@ struct Series {
 
 class OneLuminaire {
  public:
-  OneLuminaire(const Zone& zone, const Lights& lights, const ReflectanceClasses& classes,
-               const MirrorImages& images, const Obstructions& obstructions, const Emitter& luminaire)
-      : zone_(zone),
-        lights_(lights),
-        classes_(classes),
+  OneLuminaire(const Room& room, const ModelPlan& plan, const MirrorImages& images,
+               const LightSource& luminaire)
+      : room_(room),
+        plan_(plan),
         images_(images),
-        obstructions_(obstructions),
         order_{luminaire},
-        series_(zone.points.size(), {std::vector<std::vector<double>>(classes.size()),
-                                     std::vector<std::vector<double>>(classes.size())}) {}
+        series_(room.n_points(), {std::vector<std::vector<double>>(plan.n_classes()),
+                                  std::vector<std::vector<double>>(plan.n_classes())}) {}
 
   // Whether there was one.
   bool next_order(std::size_t most, const Job& job) {
@@ -57,7 +56,7 @@ class OneLuminaire {
     order_ = std::move(*next);
     n_ += order_.size();
     ++depth_;
-    const auto integrators = make_integrators(zone_, order_, obstructions_, order_.front().in_the_way);
+    const auto integrators = make_integrators(room_.zone, order_, room_.obstructions, plan_.pairs());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, series_.size(), 4), [&](const auto& range) {
       for (std::size_t p = range.begin(); p != range.end() && !job.stopped(); ++p) add_order(p, integrators);
     });
@@ -88,16 +87,16 @@ class OneLuminaire {
 
  private:
   void add_order(std::size_t point, const std::vector<PairIntegrator>& integrators) {
-    const Frame frame = frame_at(zone_.points[point]);
-    const Receiver receiver = point_receiver(frame, -1, point_key(zone_, point));
-    const double tolerance_m = 1e-9 * zone_.diameter_m;
-    std::vector<double> sums(classes_.size(), 0.0), largest(classes_.size(), 0.0);
+    const Frame frame = frame_at(room_.zone.points[point]);
+    const Receiver receiver = point_receiver(frame, -1, point_key(room_.zone, point));
+    const double tolerance_m = 1e-9 * room_.zone.diameter_m;
+    std::vector<double> sums(plan_.n_classes(), 0.0), largest(plan_.n_classes(), 0.0);
     for (std::size_t e = 0; e < order_.size(); ++e) {
       const auto& luminaire = order_[e].luminaire;
       if (order_[e].beam.misses({&frame.origin, 1}, tolerance_m)) continue;
       const double lx = luminaire.factor * integrators[e].mean(receiver).lx;
       if (!(lx > 0.0)) continue;
-      const auto tint = tints_of(zone_, classes_, order_[e], frame.origin);
+      const auto tint = tints_of(room_.zone, plan_.classes, order_[e], frame.origin);
       for (std::size_t q = 0; q < tint.size(); ++q) {
         sums[q] += lx * tint[q];
         largest[q] = std::max(largest[q], tint[q]);
@@ -109,12 +108,10 @@ class OneLuminaire {
     }
   }
 
-  const Zone& zone_;
-  const Lights& lights_;
-  const ReflectanceClasses& classes_;
+  const Room& room_;
+  const ModelPlan& plan_;
   const MirrorImages& images_;
-  const Obstructions& obstructions_;
-  std::vector<Emitter> order_;
+  std::vector<LightSource> order_;
   std::vector<Series> series_;
   int depth_ = 0;
   std::size_t n_ = 0;
@@ -123,27 +120,25 @@ class OneLuminaire {
 
 }  // namespace
 
-PointImages point_images(const Zone& zone, const Lights& lights, const ReflectanceClasses& classes,
-                         const std::vector<int>& mirrors, const Obstructions& obstructions,
-                         const std::vector<std::size_t>& source_of, std::size_t n_sources,
-                         const std::vector<double>& direct_lx, bool in_the_way,
-                         const PointImagesOptions& options, const Job& job) {
-  const std::size_t n_points = zone.points.size(), n_luminaires = lights.luminaires.size();
+PointImages point_images(const Room& room, const ModelPlan& plan, const std::vector<int>& mirrors,
+                         const std::vector<double>& direct_lx, const PointImagesOptions& options,
+                         const Job& job) {
+  const std::size_t n_points = room.n_points(), n_luminaires = room.n_luminaires();
+  const std::size_t n_classes = plan.n_classes();
   PointImages result;
-  result.lx.assign(n_points * classes.size() * n_sources, 0.0);
+  result.lx.assign(n_points * plan.n_columns(), 0.0);
   result.uncertain_lx.assign(result.lx.size(), 0.0);
-  const MirrorImages images(zone, mirrors);
-  const double area_m2 = total_area_m2(zone);
+  const MirrorImages images(room.zone, mirrors);
+  const double area_m2 = total_area_m2(room.zone);
   std::size_t most = kMostOfAll / std::max<std::size_t>(n_luminaires, 1);
   if (!options.depth) most = std::min(most, kMostOfOne);
-  for (const Emitter& luminaire : own_emitters(lights, in_the_way)) {
+  for (const LightSource& luminaire : own_sources(room.zone, room.lights, plan.tests_visibility)) {
     const std::size_t l = luminaire.original;
-    OneLuminaire one(zone, lights, classes, images, obstructions, luminaire);
-    const double dark_lx =
-        kDark * luminaire.luminaire.factor * luminaire.fitting->intensity.flux_lm() / area_m2;
+    OneLuminaire one(room, plan, images, luminaire);
+    const double dark_lx = kDark * luminaire.power_lm() / area_m2;
     const auto is_good = [&] {
       for (std::size_t p = 0; p < n_points; ++p) {
-        for (std::size_t q = 0; q < classes.size(); ++q) {
+        for (std::size_t q = 0; q < n_classes; ++q) {
           const double lx = std::max(dark_lx, direct_lx[p * n_luminaires + l] + one.sum(p, q));
           if (one.tail(p, q).uncertain_lx > options.tolerance * lx) return false;
         }
@@ -155,9 +150,9 @@ PointImages point_images(const Zone& zone, const Lights& lights, const Reflectan
     }
     if (options.depth) one.look_ahead();
     for (std::size_t p = 0; p < n_points; ++p) {
-      for (std::size_t q = 0; q < classes.size(); ++q) {
+      for (std::size_t q = 0; q < n_classes; ++q) {
         const ImageTail tail = one.tail(p, q);
-        const std::size_t at = (p * classes.size() + q) * n_sources + source_of[l];
+        const std::size_t at = p * plan.n_columns() + plan.column(plan.source_of[l], q);
         result.lx[at] += one.sum(p, q) + (options.depth ? 0.0 : tail.lx);
         result.uncertain_lx[at] += tail.uncertain_lx + (options.depth ? tail.lx : 0.0);
       }

@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "base/job.hpp"
-#include "transport/direct.hpp"
-#include "transport/optics.hpp"
+#include "transport/plan.hpp"
 
 namespace dim {
 
@@ -27,10 +26,8 @@ struct PointImagesOptions {
 ///
 /// @param direct_lx  [n_points, n_luminaires] from the luminaires themselves
 /// @throws Interrupted
-PointImages point_images(const Zone& zone, const Lights& lights, const ReflectanceClasses& classes,
-                         const std::vector<int>& mirrors, const Obstructions& obstructions,
-                         const std::vector<std::size_t>& source_of, std::size_t n_sources,
-                         const std::vector<double>& direct_lx, bool in_the_way,
-                         const PointImagesOptions& options, const Job& job);
+PointImages point_images(const Room& room, const ModelPlan& plan, const std::vector<int>& mirrors,
+                         const std::vector<double>& direct_lx, const PointImagesOptions& options,
+                         const Job& job);
 
 }  // namespace dim

@@ -2,53 +2,16 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "hemisphere/patches.hpp"
-#include "spectrum/bands.hpp"
-#include "transport/optics.hpp"
+#include "transport/mirror_outcome.hpp"
 #include "transport/plan.hpp"
+#include "transport/source.hpp"
 
 namespace dim {
-
-/// Where one source's flux in one band went, W. `imbalance` is what is left of emitted after absorbed,
-/// escaped, lost and dropped, over emitted: what the sampling of direct light misses and what the network's
-/// columns are off by.
-struct EnergyBalance {
-  double emitted_W = 0.0;
-  double absorbed_W = 0.0;
-  double escaped_W = 0.0;  ///< out of an open zone, or reflected onto backs of surfaces
-  double lost_W = 0.0;     ///< direct, on backs of surfaces and on luminaire bodies
-  double dropped_W = 0.0;  ///< still being reflected when the solution was good enough; either sign
-  double imbalance = 0.0;
-};
-
-/// What is solved as one: a luminaire, a group of them or all, with one spectrum.
-struct Source {
-  std::string name;
-  std::string group;
-  std::vector<std::string> luminaires;
-  double flux_lm = 0.0;
-  BandWeights weights;
-  std::vector<EnergyBalance> energy;  ///< [n_bands]
-  int iterations = 0;
-  double residual = 0.0;
-  double error_bound = 0.0;  ///< truncation of inter-reflection, relative to the mean irradiance
-
-  /// W in a band for each lm of the source: what turns transfer into irradiance.
-  double watts_per_lumen(std::size_t band) const { return weights.share[band] / weights.efficacy_lm_W; }
-  /// CIE 1931 XYZ, Y in lm, of 1 lm sent through each class, its bands together: [n_classes]. The Y add up
-  /// to 1.
-  std::vector<Vec3> xyz_by_class(const ReflectanceClasses& classes) const;
-};
-
-/// The source and band whose energy balance is open the most, among those with any light.
-struct WorstBalance {
-  std::size_t source = 0, band = 0;
-  double imbalance = 0.0;  ///< signed; 0 where no source has any light
-};
-WorstBalance worst_balance(const std::vector<Source>& sources);
 
 /// Light by direction from off-specular cells: the mean by their lobes into each patch, cd/m2 as `Solution`
 /// has lx.
@@ -76,8 +39,9 @@ struct Solution {
   std::vector<float> cell_direct, cell_total;
   std::vector<float> point_direct, point_total;
   Directional directional;
+  std::optional<SkyRecord> sky;
   ModelPlan plan;
-  std::vector<int> mirror_depth;  ///< [n_luminaires] that cells have images of each in; empty: none
+  MirrorOutcome mirrors;
   std::map<std::string, double> counters;  ///< what was done: rays by kind, culled pairs, iterations …
 
   std::size_t cell_row(std::size_t source, std::size_t klass) const {

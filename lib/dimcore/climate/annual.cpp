@@ -1,0 +1,174 @@
+#include "climate/annual.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+
+#include "climate/annual_kernel.hpp"
+#include "sky/weather_light.hpp"
+
+namespace dim {
+namespace {
+
+constexpr std::size_t kBlockPoints = 256;
+
+/// What stands for the sun's reflected light at one step: factors on patches.
+struct ReflectedSun {
+  std::array<std::size_t, 4> patch{};
+  std::array<float, 4> luminance_cd_m2{};
+  std::size_t n = 0;
+};
+
+std::vector<ReflectedSun> reflected_suns(const AnnualSky& sky) {
+  std::vector<ReflectedSun> suns(sky.lit.size());
+  for (std::size_t i = 0; i < suns.size(); ++i) {
+    if (sky.sun_normal_lx[i] <= 0.0) continue;
+    for (const auto& share : sun_shares(sky.patches, sky.sun[i])) {
+      suns[i].patch[suns[i].n] = share.patch;
+      suns[i].luminance_cd_m2[suns[i].n++] =
+          static_cast<float>(share.share * sky.sun_normal_lx[i] / sky.patches.solid_angle_sr(share.patch));
+    }
+  }
+  return suns;
+}
+
+/// Coefficients of kPointLanes points side by side; lanes beyond the last point are 0.
+struct LaneCoefficients {
+  std::vector<float> total, reflected;  ///< [n_patches + 1, kPointLanes]
+
+  LaneCoefficients(const DaylightCoefficients& of, std::size_t first, std::size_t count) {
+    const std::size_t n_rows = of.total_lx.size() / of.n_points;
+    total.resize(n_rows * kPointLanes);
+    reflected.resize(n_rows * kPointLanes);
+    for (std::size_t row = 0; row < n_rows; ++row) {
+      for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t from = row * of.n_points + first + k;
+        total[row * kPointLanes + k] = of.total_lx[from];
+        reflected[row * kPointLanes + k] = of.total_lx[from] - of.direct_lx[from];
+      }
+    }
+  }
+};
+
+struct Year {
+  const AnnualSky& sky;
+  const DaylightCoefficients& coefficients;
+  const SunFactors& sun;
+  std::vector<ReflectedSun> suns;
+};
+
+void add_sky(const Year& year, const LaneCoefficients& lanes, std::size_t in_block, std::size_t count,
+             PointBlock& block) {
+  const std::size_t n_rows = year.sky.patches.size() + 1, n_lit = year.sky.lit.size();
+  std::vector<float> padded(kStepLanes * n_rows);
+  std::array<float, kStepLanes * kPointLanes> sums;
+  for (std::size_t i = 0; i < n_lit; i += kStepLanes) {
+    const float* luminance = &year.sky.luminance_cd_m2[i * n_rows];
+    const std::size_t n = std::min(kStepLanes, n_lit - i);
+    if (n < kStepLanes) {
+      std::copy_n(luminance, n * n_rows, padded.begin());
+      luminance = padded.data();
+    }
+    multiply_steps(luminance, lanes.total.data(), n_rows, sums.data());
+    for (std::size_t step = 0; step < n; ++step)
+      for (std::size_t k = 0; k < count; ++k)
+        block.sky_lx[(in_block + k) * block.n_steps + year.sky.lit[i + step]] = sums[step * kPointLanes + k];
+  }
+}
+
+void add_sun(const Year& year, const LaneCoefficients& lanes, std::size_t in_block, std::size_t count,
+             PointBlock& block) {
+  std::array<float, kPointLanes> factors;
+  for (std::size_t i = 0; i < year.sky.lit.size(); ++i) {
+    if (year.sky.sun_normal_lx[i] <= 0.0) continue;
+    year.sun(year.sky.sun[i], block.first + in_block, std::span(factors).first(count));
+    const ReflectedSun& reflected = year.suns[i];
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto direct = static_cast<float>(static_cast<double>(factors[k]) * year.sky.sun_normal_lx[i]);
+      float sum = direct;
+      for (std::size_t j = 0; j < reflected.n; ++j)
+        sum += reflected.luminance_cd_m2[j] * lanes.reflected[reflected.patch[j] * kPointLanes + k];
+      const std::size_t at = (in_block + k) * block.n_steps + year.sky.lit[i];
+      block.direct_sun_lx[at] = direct;
+      block.sun_lx[at] = sum;
+    }
+  }
+}
+
+void make_room(AnnualSky& sky) {
+  sky.sky_horizontal_lx.assign(sky.n_steps, 0.0);
+  sky.luminance_cd_m2.resize(sky.lit.size() * (sky.patches.size() + 1));
+  sky.sun.resize(sky.lit.size());
+  sky.sun_normal_lx.resize(sky.lit.size());
+}
+
+/// @param i  place among the lit steps
+void set_step(const SkyAndSun& light, double ground_reflectance, std::size_t i, AnnualSky& sky) {
+  const auto patches =
+      quick_patch_means_cd_m2(light.model, light.model_sun(), light.sky_horizontal_lx, sky.patches);
+  float* row = &sky.luminance_cd_m2[i * (patches.size() + 1)];
+  std::transform(patches.begin(), patches.end(), row, [](double l) { return static_cast<float>(l); });
+  const double sun_lx = light.sun.z > 0.0 ? light.direct_normal_lx : 0.0;
+  const double horizontal_lx = light.sky_horizontal_lx + sun_lx * std::max(0.0, light.sun.z);
+  row[patches.size()] = static_cast<float>(ground_reflectance * horizontal_lx / kPi);
+  sky.sun[i] = light.sun;
+  sky.sun_normal_lx[i] = sun_lx;
+  sky.sky_horizontal_lx[sky.lit[i]] = light.sky_horizontal_lx;
+}
+
+}  // namespace
+
+AnnualSky annual_sky(const Weather& weather, int subdivision, double ground_reflectance, const Job& job) {
+  AnnualSky sky(subdivision);
+  sky.step_h = weather.step_h;
+  sky.n_steps = weather.steps.size();
+  for (std::size_t i = 0; i < sky.n_steps; ++i) {
+    const Irradiance& light = weather.steps[i].irradiance;
+    if (light.direct_normal_W_m2 > 0.0 || light.diffuse_horizontal_W_m2 > 0.0) sky.lit.push_back(i);
+  }
+  make_room(sky);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, sky.lit.size()), [&](const auto& range) {
+    job.check();
+    for (std::size_t i = range.begin(); i < range.end(); ++i)
+      set_step(sky_and_sun_of(weather, weather.steps[sky.lit[i]]), ground_reflectance, i, sky);
+  });
+  return sky;
+}
+
+AnnualSky sky_of_moment(const SkyAndSun& light, int subdivision, double ground_reflectance) {
+  AnnualSky sky(subdivision);
+  sky.n_steps = 1;
+  sky.lit = {0};
+  make_room(sky);
+  set_step(light, ground_reflectance, 0, sky);
+  return sky;
+}
+
+void annual_illuminance(const AnnualSky& sky, const DaylightCoefficients& coefficients, const SunFactors& sun,
+                        const std::function<void(const PointBlock&)>& each, const Job& job) {
+  const Year year{sky, coefficients, sun, reflected_suns(sky)};
+  for (std::size_t first = 0; first < coefficients.n_points; first += kBlockPoints) {
+    PointBlock block;
+    block.first = first;
+    block.n_points = std::min(kBlockPoints, coefficients.n_points - first);
+    block.n_steps = sky.n_steps;
+    for (auto* part : {&block.sky_lx, &block.sun_lx, &block.direct_sun_lx})
+      part->assign(block.n_points * sky.n_steps, 0.0F);
+    const std::size_t n_groups = (block.n_points + kPointLanes - 1) / kPointLanes;
+    tbb::parallel_for(std::size_t{0}, n_groups, [&](std::size_t group) {
+      job.check();
+      const std::size_t in_block = group * kPointLanes,
+                        count = std::min(kPointLanes, block.n_points - in_block);
+      const LaneCoefficients lanes(coefficients, first + in_block, count);
+      add_sky(year, lanes, in_block, count, block);
+      add_sun(year, lanes, in_block, count, block);
+    });
+    each(block);
+    job.report("year",
+               static_cast<double>(first + block.n_points) / static_cast<double>(coefficients.n_points));
+  }
+}
+
+}  // namespace dim

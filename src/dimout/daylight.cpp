@@ -1,0 +1,39 @@
+#include "dimout/daylight.hpp"
+
+#include "common/in_file.hpp"
+#include "common/option_checks.hpp"
+
+namespace dim {
+
+CLI::App* add_daylight_command(Program& program, DaylightInput& input, const std::string& name,
+                               const std::string& what, const std::string& example, bool weather_required) {
+  auto* command = program.add_command(name, what, "  " + example);
+  command
+      ->add_option("ROOM.lum", input.database.path,
+                   "Luminance database with daylight coefficients, - for standard input")
+      ->required(weather_required)
+      ->type_name("");
+  command->add_option("--weather", input.weather, "EnergyPlus weather file")
+      ->required(weather_required)
+      ->type_name("FILE.epw")
+      ->group("Input");
+  command
+      ->add_option("--state", input.states,
+                   "State of a group of windows, repeatable; others stay as the zone has them")
+      ->type_name("GROUP=STATE")
+      ->allow_extra_args(false)
+      ->check(pair_of("GROUP=STATE"))
+      ->group("Input");
+  command->add_option("-o,--output", input.database.output, "File to write, - for standard output")
+      ->type_name("FILE");
+  program.add_common_options(*command, name == "annual");
+  return command;
+}
+
+DaylitRoom::DaylitRoom(Program& program, const DaylightInput& input)
+    : database(input.database.path, program.job()),
+      states(parse_states(input.states)),
+      coefficients(in_file(input.database.path, [&] { return stored_coefficients(database, states); })),
+      sun(sun_by_rays(database, states)) {}
+
+}  // namespace dim
