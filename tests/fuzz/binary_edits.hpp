@@ -2,9 +2,10 @@
 
 #include <hdf5.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
