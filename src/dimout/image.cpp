@@ -46,7 +46,7 @@ std::string tone_words(const PictureOptions& picture, const PictureReport& repor
           ? fmt::format("eye adapted to {:.4g} cd/m2, screen of {:.4g} cd/m2", report.scene_adaptation_cd_m2,
                         picture.stevens.screen_white_cd_m2)
           : fmt::format("{:.4g} cd/m2 shown as white{}", report.display_white_cd_m2,
-                        report.automatic_exposure ? " (automatic)" : "");
+                        report.automatic_exposure ? " (automatic, highlights rolled off)" : "");
   return fmt::format("{} x {}, {}; {} pixels brighter, {} outside the display's colours", report.width,
                      report.height, exposure, report.n_above_white, report.n_out_of_gamut);
 }

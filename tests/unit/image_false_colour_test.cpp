@@ -186,3 +186,19 @@ TEST_CASE("Pixels beyond the scale are owned up to in the legend", "[image][unit
   CHECK(says("0"));
   CHECK(says("lx"));
 }
+
+TEST_CASE("The ends of a legend are labelled, round or not, at any height", "[image][unit]") {
+  for (const int height : {60, 200, 960}) {
+    for (const ScaleKind kind : {ScaleKind::linear, ScaleKind::logarithmic}) {
+      Raster raster{1, height, {}, std::vector<float>(static_cast<std::size_t>(height), 100.0F), "lx"};
+      raster.xyz.assign(3 * raster.n_pixels(), 0.0F);
+      const FakeText text;
+      dim::with_legend(dim::false_colour(raster, {.kind = kind, .low = 3.7, .high = 437.5}), "", "lx", text);
+      const auto says = [&](const std::string& s) {
+        return std::any_of(text.drawn.begin(), text.drawn.end(), [&](const auto& d) { return d.text == s; });
+      };
+      CHECK(says("3.7"));
+      CHECK(says("437.5"));
+    }
+  }
+}

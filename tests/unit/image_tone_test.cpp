@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -52,11 +53,41 @@ TEST_CASE("The given exposure maps its luminance to full white", "[image][unit]"
   CHECK(above.n_above_white == 2);
 }
 
-TEST_CASE("The automatic exposure shows the 90 % quantile of what is lit at 0.7", "[image][unit]") {
-  Raster raster = uniform(101, 1, Vec3(0, 0, 0));
-  for (std::size_t i = 0; i < 101; ++i) raster.xyz[3 * i + 1] = static_cast<float>(1 + i);
-  CHECK(dim::automatic_display_white_cd_m2(raster) == Approx(91 / 0.7));
-  CHECK(dim::tone_linear(raster).display_white_cd_m2 == Approx(91 / 0.7));
+TEST_CASE("The automatic exposure shows the logarithmic mean of what is lit at 0.35", "[image][unit]") {
+  // A geometric series 1 ... 2^10 of which the brightest tenth does not count: the mean is that of 2^0 ... 2^9.
+  Raster raster = uniform(11, 1, Vec3(0, 0, 0));
+  for (std::size_t i = 0; i < 11; ++i) raster.xyz[3 * i + 1] = static_cast<float>(std::exp2(0.1 * static_cast<double>(i)));
+  CHECK(dim::automatic_display_white_cd_m2(raster) == Approx(std::exp2(0.45) / 0.35));
+}
+
+TEST_CASE("A few bright surfaces in the dark are not washed out", "[image][unit]") {
+  Raster raster = uniform(100, 1, Vec3(0.01, 0.01, 0.01));
+  for (std::size_t i = 0; i < 40; ++i)
+    for (std::size_t c = 0; c < 3; ++c) raster.xyz[3 * i + c] = 100;
+  CHECK(dim::automatic_display_white_cd_m2(raster) == Approx(50.0));
+}
+
+TEST_CASE("Highlights roll off: in order, with a continuous slope, none of them white", "[image][unit]") {
+  CHECK(dim::rolled_off(0.59) == 0.59);
+  const double step = 1e-6;
+  CHECK((dim::rolled_off(0.6 + step) - 0.6) / step == Approx(1.0).epsilon(1e-5));
+  double before = 0.0;
+  for (double x = 0.01; x < 1e6; x *= 1.3) {
+    CHECK(dim::rolled_off(x) > before);
+    CHECK(dim::rolled_off(x) < 1.0);
+    before = dim::rolled_off(x);
+  }
+  // Two coloured lights a thousand times brighter than the rest differ still, and keep their order of channels.
+  Raster raster = uniform(100, 1, Vec3(50, 50, 50));
+  for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t c = 0; c < 3; ++c)
+      raster.xyz[3 * i + c] = std::array{5.2F, 5.0F, 3.5F}[c] * (i == 0 ? 20.0F : 40.0F);
+  const auto result = dim::tone_linear(raster, {.dither = false});
+  const auto& rgb = result.picture.rgb;
+  CHECK(rgb[0] >= rgb[1]);
+  CHECK(rgb[1] > rgb[2]);
+  CHECK(rgb[5] > rgb[2]);
+  CHECK(rgb[4] < 255);
 }
 
 TEST_CASE("Luminaires in under a tenth of the view and unlit pixels do not move the exposure",

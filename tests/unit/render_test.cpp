@@ -158,8 +158,8 @@ TEST_CASE("Smooth shading is bilinear between the middles of cells", "[image][un
     lx.push_back(10 * cells[i].centroid.x + 100 * cells[i].centroid.y);
   const auto database = database_of(zone, point_lamp({1, 1, 1}, 0.0), lx);
   const LightChannels channels(database, {1.0});
-  const LightField smooth(database, cells, {1.0}, channels, true, false),
-      flat(database, cells, {1.0}, channels, false, false);
+  const LightField smooth(database, cells, {1.0}, channels, Shading::smooth),
+      flat(database, cells, {1.0}, channels, Shading::cell);
   const auto at = [&](const LightField& field, const Vec2& p) {
     Light light(channels.size(), 0.0);
     field.add_irradiance(0, p, light);

@@ -1,5 +1,7 @@
 #include "image/legend.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -39,30 +41,39 @@ int y_on_bar(const Layout& layout, double position) {
   return layout.bar_top + static_cast<int>(std::lround((1 - position) * (layout.bar_height - 1)));
 }
 
+// The ends and the labelled ticks between, from the bottom up.
 std::vector<Label> labels_of(const std::vector<Tick>& marks, const FalseColourResult& painted) {
-  std::vector<Label> labels;
-  for (const Tick& tick : marks) {
-    if (!tick.label.empty()) labels.push_back({painted.scale.position(tick.value), tick.label});
-  }
   const auto at_end = [](double position, double end) { return std::abs(position - end) < 1e-6; };
-  if (!labels.empty() && painted.n_below > 0 && at_end(labels.front().position, 0)) {
-    labels.front().text = "< " + labels.front().text;
+  Label low{0.0, fmt::format("{:.5g}", painted.scale.low)}, high{1.0, fmt::format("{:.5g}", painted.scale.high)};
+  std::vector<Label> between;
+  for (const Tick& tick : marks) {
+    if (tick.label.empty()) continue;
+    const double position = painted.scale.position(tick.value);
+    if (at_end(position, 0.0))
+      low.text = tick.label;
+    else if (at_end(position, 1.0))
+      high.text = tick.label;
+    else
+      between.push_back({position, tick.label});
   }
-  if (!labels.empty() && painted.n_above > 0 && at_end(labels.back().position, 1)) {
-    labels.back().text = "> " + labels.back().text;
-  }
-  return labels;
+  if (painted.n_below > 0) low.text = "< " + low.text;
+  if (painted.n_above > 0) high.text = "> " + high.text;
+  between.insert(between.begin(), std::move(low));
+  between.push_back(std::move(high));
+  return between;
 }
 
-// From the bottom up, drops each label that would touch the one below it.
+// From the bottom up, drops each label that would touch the one below it or the top one.
 void drop_touching(std::vector<Label>& labels, const Layout& layout) {
   const int apart = layout.text_size + layout.text_size / 4;
-  std::vector<Label> kept;
-  for (Label& label : labels) {
-    if (kept.empty() || y_on_bar(layout, kept.back().position) - y_on_bar(layout, label.position) >= apart) {
-      kept.push_back(std::move(label));
-    }
+  const int top = y_on_bar(layout, labels.back().position);
+  std::vector<Label> kept{labels.front()};
+  for (std::size_t i = 1; i + 1 < labels.size(); ++i) {
+    const int y = y_on_bar(layout, labels[i].position);
+    if (y_on_bar(layout, kept.back().position) - y >= apart && y - top >= apart)
+      kept.push_back(std::move(labels[i]));
   }
+  if (y_on_bar(layout, 0.0) - top >= apart) kept.push_back(std::move(labels.back()));
   labels = std::move(kept);
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/joints.hpp"
+
 namespace dim {
 
 LightChannels::LightChannels(const LuminanceDatabase& database, const Mix& mix)
@@ -24,12 +26,15 @@ LightChannels::LightChannels(const LuminanceDatabase& database, const Mix& mix)
 }
 
 LightField::LightField(const LuminanceDatabase& database, const Cells& cells, const Mix& mix,
-                       const LightChannels& channels, bool smooth, bool indirect)
-    : zone_(database.zone()),
-      cells_(cells),
+                       const LightChannels& channels, Shading shading)
+    : cells_(cells),
       n_(channels.size()),
-      smooth_(smooth),
+      shading_(shading),
+      blend_(database.zone(), cells,
+             shading == Shading::cell ? std::vector<std::vector<Segment2>>(database.zone().surfaces.size())
+                                      : find_joints(database.zone())),
       irradiance_(cells.size() * n_, 0.0F),
+      direct_(shading == Shading::cell ? 0 : cells.size() * n_, 0.0F),
       grid_(database.directional_grid()),
       lobe_of_(cells.size(), -1) {
   const auto& shiny = database.off_specular_cells();
@@ -44,56 +49,82 @@ LightField::LightField(const LuminanceDatabase& database, const Cells& cells, co
         sums[i * n_ + channel] += static_cast<float>(factor * static_cast<double>(values[b * n + i]));
     }
   };
+  // What windows bring has no luminaire to be found from: it stays with the cells.
+  std::vector<bool> of_luminaires(mix.size(), false);
+  for (const auto& luminaire : database.luminaires()) of_luminaires[luminaire.source] = true;
   for (std::size_t s = 0; s < mix.size(); ++s) {
     if (mix[s] == 0.0) continue;
     add(irradiance_, database.cell_irradiance(s), cells.size(), s, mix[s]);
-    if (indirect) add(irradiance_, database.direct_cell_irradiance(s), cells.size(), s, -mix[s]);
+    if (shading != Shading::cell && of_luminaires[s])
+      add(direct_, database.direct_cell_irradiance(s), cells.size(), s, mix[s]);
     if (n_states == 0) continue;
     add(lobes_, database.lobe_radiance(s), n_states, s, mix[s]);
     add(lobes_, database.direct_lobe_radiance(s), n_states, s, -mix[s]);
   }
-  for (auto* values : {&irradiance_, &lobes_}) {
-    for (float& value : *values) value = std::max(0.0F, value);  // a difference, by rounding
+  for (float& value : lobes_) value = std::max(0.0F, value);  // a difference, by rounding
+  const auto lux = [&](const std::vector<float>& values) {
+    std::vector<double> sums(cells.size(), 0.0);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      sums[i / n_] += channels.xyz(i % n_).y * static_cast<double>(values[i]);
+    return sums;
+  };
+  if (shading == Shading::cell) return;
+  lx_ = lux(irradiance_);
+  if (shading == Shading::smooth) {
+    find_fast_cells(lux(direct_));
+    return;
+  }
+  for (std::size_t i = 0; i < irradiance_.size(); ++i)
+    irradiance_[i] = std::max(0.0F, irradiance_[i] - direct_[i]);
+  direct_ = {};
+}
+
+// Where direct light differs between cells that blend by more than a share of all the light there.
+void LightField::find_fast_cells(const std::vector<double>& direct_lx) {
+  constexpr double kFast = 0.4;
+  fast_.assign(cells_.size(), 0);
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    blend_.visit_neighbours(c, [&](std::size_t k) {
+      if (std::abs(direct_lx[k] - direct_lx[c]) > kFast * std::max(lx_[k], lx_[c])) fast_[c] = 1;
+    });
   }
 }
 
-std::size_t LightField::cells_at(std::size_t surface, const Vec2& local, Weighted (&found)[4]) const {
-  const CellGrid& grid = cells_.grid(surface);
-  const std::size_t first = cells_.first(surface);
-  const int own = grid.cell_at(local), square = grid.square_at(local);
-  found[0] = {first + static_cast<std::size_t>(own), 1.0};
-  // A part cut off from its square's middle keeps to itself.
-  if (!smooth_ || grid.middle_cell(square, 0, 0) != own) return 1;
-  const Vec2 size = zone_.surfaces[surface].polygon.size_m();
-  const double u = local.x / size.x * grid.nu() - (square % grid.nu() + 0.5);
-  const double v = local.y / size.y * grid.nv() - (square / grid.nu() + 0.5);
-  const double au = std::min(std::abs(u), 0.5), av = std::min(std::abs(v), 0.5);
-  std::size_t n = 0;
-  double total = 0.0;
-  for (int k = 0; k < 4; ++k) {
-    const int di = k & 1 ? (u < 0.0 ? -1 : 1) : 0, dj = k >> 1 ? (v < 0.0 ? -1 : 1) : 0;
-    const int cell = grid.middle_cell(square, di, dj);
-    const double weight = (di != 0 ? au : 1.0 - au) * (dj != 0 ? av : 1.0 - av);
-    if (cell < 0 || !(weight > 0.0)) continue;
-    found[n++] = {first + static_cast<std::size_t>(cell), weight};
-    total += weight;
-  }
-  for (std::size_t k = 0; k < n; ++k) found[k].weight /= total;
-  return n;
+template <class Function>
+void LightField::visit(std::size_t surface, const Vec2& local, Function&& f) const {
+  if (shading_ == Shading::cell)
+    f(cells_.first(surface) + static_cast<std::size_t>(cells_.grid(surface).cell_at(local)), 1.0);
+  else
+    blend_.visit(surface, local, f);
 }
 
 void LightField::add_irradiance(std::size_t surface, const Vec2& local, Light& light) const {
-  Weighted found[4];
-  const std::size_t n = cells_at(surface, local, found);
-  for (std::size_t k = 0; k < n; ++k) {
-    const float* of_cell = &irradiance_[found[k].cell * n_];
-    for (std::size_t c = 0; c < n_; ++c) light[c] += found[k].weight * static_cast<double>(of_cell[c]);
-  }
+  visit(surface, local, [&](std::size_t cell, double weight) {
+    const float* of_cell = &irradiance_[cell * n_];
+    for (std::size_t c = 0; c < n_; ++c) light[c] += weight * static_cast<double>(of_cell[c]);
+  });
+}
+
+double LightField::open_share(std::size_t surface, const Vec2& local) const {
+  if (shading_ != Shading::smooth) return shading_ == Shading::gather ? 1.0 : 0.0;
+  double share = 0.0;
+  blend_.visit(surface, local, [&](std::size_t cell, double weight) { share += fast_[cell] ? weight : 0.0; });
+  return share;
+}
+
+void LightField::take_direct(std::size_t surface, const Vec2& local, double share, Light& light) const {
+  if (shading_ != Shading::smooth) return;
+  blend_.visit(surface, local, [&](std::size_t cell, double weight) {
+    const float* of_cell = &direct_[cell * n_];
+    for (std::size_t c = 0; c < n_; ++c) light[c] -= share * weight * static_cast<double>(of_cell[c]);
+  });
+}
+
+double LightField::illuminance_lx(std::size_t surface, const Vec2& local) const {
+  return lx_[cells_.first(surface) + static_cast<std::size_t>(cells_.grid(surface).cell_at(local))];
 }
 
 void LightField::add_lobe(std::size_t surface, const Vec2& local, const Vec3& towards, Light& light) const {
-  Weighted found[4];
-  const std::size_t n = cells_at(surface, local, found);
   // Between the middles of patches; nearer to the normal or the horizon than the last middle, that slice.
   const double height = std::clamp(towards.z * grid_.n_slices - 0.5, 0.0, grid_.n_slices - 1.0);
   const double turn = std::atan2(towards.y, towards.x) / (2.0 * kPi);
@@ -107,13 +138,12 @@ void LightField::add_lobe(std::size_t surface, const Vec2& local, const Vec3& to
     const double weight = (k >> 1 ? up : 1.0 - up) * (k & 1 ? on : 1.0 - on);
     if (!(weight > 0.0)) continue;
     const auto patch = static_cast<std::size_t>(s * grid_.n_sectors + t);
-    for (std::size_t m = 0; m < n; ++m) {
-      if (lobe_of_[found[m].cell] < 0) continue;
+    visit(surface, local, [&](std::size_t cell, double share) {
+      if (lobe_of_[cell] < 0) return;
       const float* of_patch =
-          &lobes_[(static_cast<std::size_t>(lobe_of_[found[m].cell]) * grid_.n_patches() + patch) * n_];
-      for (std::size_t c = 0; c < n_; ++c)
-        light[c] += weight * found[m].weight * static_cast<double>(of_patch[c]);
-    }
+          &lobes_[(static_cast<std::size_t>(lobe_of_[cell]) * grid_.n_patches() + patch) * n_];
+      for (std::size_t c = 0; c < n_; ++c) light[c] += weight * share * static_cast<double>(of_patch[c]);
+    });
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "image/cell_blend.hpp"
 #include "network/cells.hpp"
 #include "result/luminous.hpp"
 
@@ -33,35 +34,47 @@ class LightChannels {
 /// Radiance or irradiance by channel.
 using Light = std::vector<double>;
 
+enum class Shading {
+  cell,    ///< flat cells
+  smooth,  ///< interpolated; direct light point by point where it changes fast
+  gather   ///< direct light point by point, inter-reflected light interpolated
+};
+
 /// The mixed light of all cells, and by direction of those with a lobe.
 class LightField {
  public:
-  /// @param smooth    interpolate between the middles of neighbouring cells of a surface
-  /// @param indirect  irradiance without direct light, which the caller adds
   LightField(const LuminanceDatabase& database, const Cells& cells, const Mix& mix,
-             const LightChannels& channels, bool smooth, bool indirect);
+             const LightChannels& channels, Shading shading);
 
-  /// Irradiance at a point of a surface, added to `light`. Constant from the outer middles of cells to the
-  /// edge.
+  /// Irradiance at a point of a surface as its cells have it, added to `light`.
   void add_irradiance(std::size_t surface, const Vec2& local, Light& light) const;
+
+  /// The share of the direct light there that is to be found point by point and put in the place of the
+  /// cells' own (`take_direct`), 0..1; continuous.
+  double open_share(std::size_t surface, const Vec2& local) const;
+  /// Takes a share of the direct light that `add_irradiance` brings off again.
+  void take_direct(std::size_t surface, const Vec2& local, double share, Light& light) const;
+
+  /// Illuminance of the cell there, all light, lx.
+  double illuminance_lx(std::size_t surface, const Vec2& local) const;
 
   /// Radiance by the surface's lobe towards a direction of its frame, direct light left out, added to
   /// `light`.
   void add_lobe(std::size_t surface, const Vec2& local, const Vec3& towards, Light& light) const;
 
  private:
-  struct Weighted {
-    std::size_t cell;
-    double weight;
-  };
-  // At most four cells, their weights adding up to 1.
-  std::size_t cells_at(std::size_t surface, const Vec2& local, Weighted (&found)[4]) const;
+  void find_fast_cells(const std::vector<double>& direct_lx);
+  template <class Function>
+  void visit(std::size_t surface, const Vec2& local, Function&& f) const;
 
-  const Zone& zone_;
   const Cells& cells_;
   std::size_t n_;
-  bool smooth_;
+  Shading shading_;
+  CellBlend blend_;
   std::vector<float> irradiance_;  // [n_cells, n]
+  std::vector<float> direct_;      // [n_cells, n], where shading is smooth
+  std::vector<double> lx_;         // [n_cells], all light
+  std::vector<char> fast_;         // [n_cells]: direct light changes fast
   PatchGrid grid_;
   std::vector<std::int32_t> lobe_of_;  // [n_cells] index, -1 without a lobe
   std::vector<float> lobes_;           // [n_off_specular, n_patches, n]

@@ -119,15 +119,33 @@ DirectEstimate PairIntegrator::mean(const Receiver& receiver, PlatesBetween& bet
 }
 
 void PairIntegrator::find(PlatesBetween& between) const {
-  const Receiver& region = between.region;
   between.known = true;
+  sight(between.region, nullptr, between.found);
+}
+
+PairIntegrator::Sight PairIntegrator::sight(const Receiver& region, const std::vector<int>* among,
+                                            std::vector<int>& found) const {
+  found.clear();
   const Vec3& n = region.frame->n;
   const double offset = glm::dot(n, region.ring[0]);
   const ConvexRing bounds = opening_.bounds.front_of(n, offset);
-  if (bounds.empty()) return;
+  if (bounds.empty()) return Sight::free;
   Shaft shaft(region.ring, bounds, region.skip);
   shaft.add_limit(n, offset);
-  plates_.candidates(shaft, between.found);
+  bool hidden = false;
+  const auto look_at = [&](int plate) {
+    const auto cover = plates_.cover(plate, shaft);
+    hidden = hidden || cover == ShadowPlates::Cover::whole;
+    return cover != ShadowPlates::Cover::none;
+  };
+  if (among) {
+    for (const int plate : *among)
+      if (look_at(plate)) found.push_back(plate);
+  } else {
+    plates_.candidates(shaft, found);
+    for (const int plate : found) look_at(plate);
+  }
+  return hidden ? Sight::hidden : found.empty() ? Sight::free : Sight::part;
 }
 
 double PairIntegrator::illuminance(const Vec3& normal, const Vec3& p, const Vec3& q) const {

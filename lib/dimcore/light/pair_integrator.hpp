@@ -69,6 +69,16 @@ class PairIntegrator {
     return mean(receiver, between);
   }
 
+  /// What can stand between the opening and a region of receivers.
+  enum class Sight {
+    free,    ///< nothing on any line
+    hidden,  ///< one plate on every line
+    part
+  };
+  /// @param among  plates to look at, null: all
+  /// @param found  set to those in the way of some lines
+  Sight sight(const Receiver& region, const std::vector<int>* among, std::vector<int>& found) const;
+
   /// One path between receiver and opening, at four coordinates in [0, 1): where it comes in, and what
   /// illuminance it brings to the whole receiver, 0 if blocked. The mean over many is the receiver's. Cells
   /// are sampled by the solid angle they fill, seen from the opening.
