@@ -70,13 +70,21 @@ double ConvexRing::distance_m(const Vec3& p) const {
 }
 
 ConvexRing ConvexRing::front_of(const Vec3& normal, double offset) const {
+  // A corner in the plane but for rounding is not cut off.
+  constexpr double kInPlane = 1e-12;
   std::array<double, kMostCorners> height;
-  bool any_behind = false;
+  double lowest = 0.0, highest = 0.0;
   for (int i = 0; i < n_; ++i) {
     height[static_cast<std::size_t>(i)] = glm::dot(normal, (*this)[i]) - offset;
-    any_behind = any_behind || height[static_cast<std::size_t>(i)] < 0.0;
+    lowest = std::min(lowest, height[static_cast<std::size_t>(i)]);
+    highest = std::max(highest, height[static_cast<std::size_t>(i)]);
   }
-  if (!any_behind) return *this;
+  const double in_plane = kInPlane * (highest - lowest);
+  if (lowest >= -in_plane) return *this;
+  for (int i = 0; i < n_; ++i) {
+    double& h = height[static_cast<std::size_t>(i)];
+    if (std::abs(h) <= in_plane) h = 0.0;
+  }
   ConvexRing front;
   // Of a segment only the step from its first to its second corner exists.
   for (int i = 0; i < n_; ++i) {
@@ -91,11 +99,12 @@ ConvexRing ConvexRing::front_of(const Vec3& normal, double offset) const {
 
 std::array<ConvexRing, 2> ConvexRing::halves() const {
   constexpr int kManySided = 8;
+  constexpr double kLonger = 1.0 + 1e-9;  // of sides that are equal but for rounding the first one counts
   Vec3 longest(0.0), at(0.0);
   for (int i = 0; i < (n_ == 2 ? 1 : n_); ++i) {
     const int j = n_ > kManySided ? (i + n_ / 2) % n_ : (i + 1) % n_;
     const Vec3 side = (*this)[j] - (*this)[i];
-    if (glm::dot(side, side) <= glm::dot(longest, longest)) continue;
+    if (glm::dot(side, side) <= kLonger * glm::dot(longest, longest)) continue;
     longest = side;
     at = 0.5 * ((*this)[i] + (*this)[j]);
   }

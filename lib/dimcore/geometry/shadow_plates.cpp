@@ -125,7 +125,8 @@ void ShadowPlates::candidates(const Shaft& shaft, std::vector<int>& found) const
 double ShadowPlates::crossing_share(int index, const Vec3& p, const Vec3& q) const {
   const Shadowing& plate = plates_[static_cast<std::size_t>(index)];
   const double hp = glm::dot(plate.n, p) - plate.n0, hq = glm::dot(plate.n, q) - plate.n0;
-  return hp * hq < 0.0 ? hp / (hp - hq) : 0.5;
+  const bool crossed = hp * hq < 0.0 && std::min(std::abs(hp), std::abs(hq)) > tolerance_m_;
+  return crossed ? hp / (hp - hq) : 0.5;
 }
 
 ShadowPlates::Cover ShadowPlates::cover(int index, const Shaft& shaft) const {

@@ -44,7 +44,7 @@ class ShadowPlates {
   /// Plates whose cover is not none, ascending.
   void candidates(const Shaft& shaft, std::vector<int>& found) const;
 
-  /// Where on the way from p (0) to q (1) the plate's plane is crossed; 1/2 where it is not.
+  /// Where on the way from p (0) to q (1) the plate's plane is crossed; 1/2 where it is not, or at an end.
   double crossing_share(int plate, const Vec3& p, const Vec3& q) const;
 
   /// Adds the parts of the segment a..b (0 at a, 1 at b) that `plate` hides from `eye`.

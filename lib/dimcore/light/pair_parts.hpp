@@ -10,7 +10,8 @@ struct PairIntegrator::Pair {
   const Vec3& normal;  // of the receiver
   double size_m() const { return 2.0 * (cell.radius_m + opening.radius_m); }
   double distance_m() const { return glm::length(cell.middle - opening.middle); }
-  bool halve_cell() const { return cell.radius_m >= opening.radius_m; }
+  // Rounding does not decide between equals.
+  bool halve_cell() const { return cell.radius_m >= (1.0 - 1e-9) * opening.radius_m; }
 };
 
 // The chance of one pair: a stream of points, each used once.

@@ -79,7 +79,8 @@ DirectEstimate PairIntegrator::shadowed(const Pair& pair, std::vector<int> plate
     }
     return sum;
   }
-  const double n = shadows.lines * std::min(1.0, free_lx / shadows.free_lx);
+  // Of equal halves none is to get a line more by rounding.
+  const double n = shadows.lines * std::min(1.0, free_lx / shadows.free_lx) - 1e-9;
   return by_lines(pair, free_lx, plates, std::max(1, static_cast<int>(std::ceil(n))), shadows);
 }
 
@@ -110,7 +111,7 @@ bool PairIntegrator::lines_on_cell(const Pair& pair, const std::vector<int>& pla
   double along = 0.0;
   for (const int plate : plates) along += plates_.crossing_share(plate, pair.cell.middle, pair.opening.middle);
   along /= static_cast<double>(plates.size());
-  return pair.cell.radius_m * (1.0 - along) > pair.opening.radius_m * along;
+  return pair.cell.radius_m * (1.0 - along) > (1.0 + 1e-9) * pair.opening.radius_m * along;
 }
 
 // Of four directions the one along which lines differ least in how much of them is hidden: across the edges of
@@ -118,6 +119,7 @@ bool PairIntegrator::lines_on_cell(const Pair& pair, const std::vector<int>& pla
 Vec3 PairIntegrator::line_direction(const ConvexRing& ring, const Vec3& eye, const std::vector<int>& plates,
                                     ShadowPlates::LooksFrom looks_from, int n, Intervals& hidden) const {
   if (ring.size() < 3) return Vec3(0.0);
+  constexpr double kLess = 1e-9;  // rounding does not decide between equals
   const int n_trials = std::min(kMostTrials, n / kLinesPerTrial);
   const Vec3 e1 = glm::normalize(ring[1] - ring[0]);
   const Vec3 e2 = glm::normalize(glm::cross(glm::cross(e1, ring[ring.size() - 1] - ring[0]), e1));
@@ -145,7 +147,7 @@ Vec3 PairIntegrator::line_direction(const ConvexRing& ring, const Vec3& eye, con
       squares += share * share;
     }
     const double spread = squares / n_trials - sum * sum / (n_trials * n_trials);
-    if (spread >= least) continue;
+    if (spread > least - kLess) continue;
     least = spread;
     best = along;
   }
