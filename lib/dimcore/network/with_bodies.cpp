@@ -241,8 +241,7 @@ void check_size(const Network& network, std::size_t n_cells, const Job& job) {
 
 std::optional<BodiedRoom> add_bodies(const Zone& zone, const Cells& cells, const Network& network,
                                      const Lights& lights, const Job& job) {
-  const auto n_bodies =
-      static_cast<std::size_t>(std::count_if(lights.luminaires.begin(), lights.luminaires.end(), has_body));
+  const std::size_t n_bodies = count_bodies(lights);
   if (n_bodies == 0) return std::nullopt;
   Zone full = with_bodies(zone, lights, mean_cell_m(cells));
   Cells all(cells, full);

@@ -43,14 +43,21 @@ Surface face(const Luminaire& luminaire, const std::string& which, Polygon polyg
   return surface;
 }
 
-std::vector<const Luminaire*> bodies_by_place(const Lights& lights) {
+// By place, each once: luminaires of one place and shape, as the channels of a tunable one, have one body.
+std::vector<const Luminaire*> distinct_bodies(const Lights& lights) {
   std::vector<const Luminaire*> bodies;
   for (const auto& luminaire : lights.luminaires) {
     if (has_body(luminaire)) bodies.push_back(&luminaire);
   }
-  const auto key = [](const Luminaire& l) { return std::tuple(l.at.x, l.at.y, l.at.z); };
+  const auto key = [](const Luminaire* l) {
+    const LuminousOpening& o = l->opening;
+    return std::tuple(l->at.x, l->at.y, l->at.z, l->aim.x, l->aim.y, l->aim.z, l->c0.x, l->c0.y, l->c0.z, o.shape,
+                      o.length_m, o.width_m, o.height_m, l->body_reflectance);
+  };
   std::stable_sort(bodies.begin(), bodies.end(),
-                   [&](const Luminaire* a, const Luminaire* b) { return key(*a) < key(*b); });
+                   [&](const Luminaire* a, const Luminaire* b) { return key(a) < key(b); });
+  const auto same = [&](const Luminaire* a, const Luminaire* b) { return key(a) == key(b); };
+  bodies.erase(std::unique(bodies.begin(), bodies.end(), same), bodies.end());
   return bodies;
 }
 
@@ -88,10 +95,12 @@ std::vector<Surface> body_surfaces(const Luminaire& luminaire) {
   return surfaces;
 }
 
+std::size_t count_bodies(const Lights& lights) { return distinct_bodies(lights).size(); }
+
 Zone with_bodies(const Zone& zone, const Lights& lights, double cell_m) {
   Zone result = zone;
   std::map<double, int> finishes;
-  for (const Luminaire* luminaire : bodies_by_place(lights)) {
+  for (const Luminaire* luminaire : distinct_bodies(lights)) {
     const auto [finish, added] =
         finishes.emplace(luminaire->body_reflectance, static_cast<int>(result.finishes.size()));
     if (added) result.finishes.push_back(body_finish(luminaire->body_reflectance));

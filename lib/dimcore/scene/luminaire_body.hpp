@@ -23,6 +23,10 @@ bool has_body(const Luminaire& luminaire);
 /// Finish and cell size are left to the caller.
 std::vector<Surface> body_surfaces(const Luminaire& luminaire);
 
+/// Bodies that differ in place, shape or reflectance: luminaires that share all of them, as the channels of a
+/// tunable one do, share one body.
+std::size_t count_bodies(const Lights& lights);
+
 /// The zone with the bodies of its luminaires as further surfaces, each with a diffuse finish of the body's
 /// reflectance. The order follows the luminaires' places, so that the order of the file does not matter.
 /// @param cell_m  of the bodies' surfaces, > 0
