@@ -750,7 +750,20 @@ void read_zone(const fs::path& path, const fs::path& db, const std::vector<std::
   }
   for (Polygon& p : scene.polygons) p.finish();
   read_planes(zone, scene);
-  scene.hierarchy = std::make_unique<Hierarchy>(scene.polygons);
+}
+
+/// Every luminaire's opening as a black two-sided panel 0.1 mm behind it.
+void add_black_bodies(Scene& scene) {
+  constexpr double kBehind_m = 1e-4;
+  for (const Luminaire& l : scene.luminaires) {
+    if (l.length_m == 0 || l.width_m == 0) continue;
+    const auto corner = [&](double u, double v) { return l.sample(u, v) - kBehind_m * l.aim; };
+    Polygon p;
+    p.name = l.name + ".body", p.two_sided = true;
+    p.rings = {{corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)}};
+    p.finish();
+    scene.polygons.push_back(p);
+  }
 }
 
 fs::path find_fitting(const std::string& fitting, const fs::path& lights_folder, const fs::path& db) {
@@ -922,7 +935,7 @@ struct Options {
   long samples = 65536;
   int strata = 4, threads = 1;
   std::uint64_t seed = 1;
-  bool surfaces = false;
+  bool surfaces = false, bodies = false;
   std::string view, picture;
 };
 
@@ -1113,12 +1126,13 @@ void picture(const Scene& scene, const Options& options) {
 constexpr const char* kUsage =
     "usage: reference_tracer ZONE.toml LIGHTS.toml [--db DIR] [--samples N] [--strata K] [--threads N] "
     "[--seed N]\n"
-    "                        [--set finishes.NAME.diffuse=VALUE] [--surfaces] [--view NAME --picture "
+    "                        [--set finishes.NAME.diffuse=VALUE] [--bodies] [--surfaces] [--view NAME --picture "
     "FILE.ppm]\n"
     "  --samples N   paths per point (default 65536), per pixel with --picture; with --surfaces mean per "
     "surface,\n"
     "                shared out by area\n"
     "  --strata K    K x K strata of every opening in each of 64 batches of direct light (default 4)\n"
+    "  --bodies      openings of luminaires are black panels, two-sided\n"
     "  --surfaces    area means over the surfaces and the flux balance in place of the measuring points\n";
 
 Options parse(int argc, char** argv) {
@@ -1144,6 +1158,8 @@ Options parse(int argc, char** argv) {
       o.settings.push_back(value());
     else if (a == "--surfaces")
       o.surfaces = true;
+    else if (a == "--bodies")
+      o.bodies = true;
     else if (a == "--view")
       o.view = value();
     else if (a == "--picture")
@@ -1168,6 +1184,8 @@ int main(int argc, char** argv) {
     Scene scene;
     read_zone(options.zone, options.db, options.settings, scene);
     read_lights(options.lights, options.db, scene);
+    if (options.bodies) add_black_bodies(scene);
+    scene.hierarchy = std::make_unique<Hierarchy>(scene.polygons);
     if (!options.picture.empty())
       picture(scene, options);
     else if (options.surfaces)
