@@ -22,8 +22,11 @@ echo
 echo "Light falling on the floor, from the red wall (x = 0) to the green one (2.8 m); the lamp has x 0.3756 y 0.3723:"
 paste -d, "$out/colour-auto.csv" "$out/colour-80.csv" "$out/colour-1.csv" | awk -F, '
   NR == 1 { print "   x, m       lx       x       y   CCT, K     Ra | x, y of 80 bands | of one band" }
+  function apart(a, b) { return a - b > 1e-3 || b - a > 1e-3 }
   NR > 1 { printf "%7.2f %8.1f  %.4f  %.4f %8.0f %6.0f |  %.4f  %.4f  | %.4f  %.4f\n",
-           $3, $6, $7, $8, $11, $13, $21, $22, $35, $36 }'
+           $3, $6, $7, $8, $11, $13, $21, $22, $35, $36
+           if (apart($7, $21) || apart($8, $22) || !apart($7, $35)) off = 1 }
+  END { exit off }'
 echo "The floor is redder towards the red wall and greener towards the green one. One waveband shows the illuminance"
 echo "alone: within a band light keeps the lamp's spectrum."
 echo

@@ -15,7 +15,10 @@ echo "A point source of 100 cd before a mirror (k_s F = 0.88) over a floor, and 
 dimout grid "$out/mirror.lum" | awk -F, '
   NR == 1 { print "from mirror, m    DIM, lx    source + image, lx" }
   NR > 1 { near = ($3 - 1)^2 + 4; far = ($3 + 1)^2 + 4
-           printf "%14.2f %10.3f %15.3f\n", $3, $9, 100 * 2 / near^1.5 + 0.88 * 100 * 2 / far^1.5 }'
+           exact = 100 * 2 / near^1.5 + 0.88 * 100 * 2 / far^1.5
+           printf "%14.2f %10.3f %15.3f\n", $3, $9, exact
+           if ($9 / exact > 1.001 || $9 / exact < 0.999) off = 1 }
+  END { exit off }'
 
 # Beside DIM: k_s F D G / (4 cos cos) summed over the floor at the light's exact angles, plus the direct 2.91 and 1.12 lx
 # (tests/bench/reference/lobe_floor.py). m = 0 is a mirror.
@@ -27,7 +30,9 @@ while read -r m wall ceiling; do
   dimray "$out/lobe.rays" "$here/lobe.lights.toml" -o "$out/lobe.lum" --quiet
   { dimout surfaces "$out/lobe.lum"; dimout info "$out/lobe.lum"; } | awk -F, -v m="$m" -v wall="$wall" -v ceiling="$ceiling" '
     $1 == "wall-far" { far = $3 } $1 == "ceiling" { up = $3 } /^spot/ { split($0, info, / +/); open = info[4] }
-    END { printf "%6s %10.2f %13s %9.2f %13s %27.4f\n", m, far, wall, up, ceiling, open }'
+    function off(lx, exact) { return exact > 0 && (lx / exact > 1.02 || lx / exact < 0.98) }
+    END { printf "%6s %10.2f %13s %9.2f %13s %27.4f\n", m, far, wall, up, ceiling, open
+          exit off(far, wall) || off(up, ceiling) || open > 0.1 || open < -0.1 }'
 done << ROUGHNESSES
 0    -     -
 0.05 32.88 5.95
