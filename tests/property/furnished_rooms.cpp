@@ -6,6 +6,7 @@
 #include <array>
 #include <random>
 
+#include "catch.hpp"
 #include "network/point_places.hpp"
 #include "property/transport_support.hpp"
 #include "scene/lights_reader.hpp"
@@ -322,8 +323,7 @@ RoomAnswer answer(const RandomRoom& room, const Writing& writing, const RoomRun&
   options.seed = run.seed;
   const Network network = build_network(zone, cells, options, Job{});
   judge_points(network, zone);
-  const Solution solution =
-      solve(zone, lights, network, {.combine = Combine::group});
+  const Solution solution = solve(zone, lights, network, {.combine = Combine::group});
   const auto order = order_of_points(zone, writer);
   RoomAnswer result;
   for (std::size_t s = 0; s < solution.sources.size(); ++s) {
