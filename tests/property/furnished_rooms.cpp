@@ -323,7 +323,8 @@ RoomAnswer answer(const RandomRoom& room, const Writing& writing, const RoomRun&
   options.seed = run.seed;
   const Network network = build_network(zone, cells, options, Job{});
   judge_points(network, zone);
-  const Solution solution = solve(zone, lights, network, {.combine = Combine::group});
+  const Solution solution =
+      solve(zone, lights, network, {.combine = Combine::group, .gather = {.tolerance = 1e-7}});
   const auto order = order_of_points(zone, writer);
   RoomAnswer result;
   for (std::size_t s = 0; s < solution.sources.size(); ++s) {
