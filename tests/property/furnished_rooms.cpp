@@ -6,6 +6,7 @@
 #include <array>
 #include <random>
 
+#include "catch.hpp"
 #include "network/point_places.hpp"
 #include "property/transport_support.hpp"
 #include "scene/lights_reader.hpp"
