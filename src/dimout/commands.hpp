@@ -16,6 +16,8 @@ struct DatabaseInput {
   std::string path;
   std::vector<std::string> mix;
   std::vector<std::string> spectra;
+  std::vector<std::string> states;
+  std::string sky;
   std::string output = "-";
   bool by_source = false;
   bool json = false;
@@ -29,7 +31,7 @@ void add_table_options(CLI::App& command, DatabaseInput& input, bool by_source);
 /// The database, its sources' spectra replaced where --spectrum asks for it.
 LuminanceDatabase open_database(Program& program, const DatabaseInput& input);
 
-/// The factors that --mix asks for.
+/// The factors that --mix, --state and --sky ask for.
 Mix mix_of(const LuminanceDatabase& database, const DatabaseInput& input);
 
 /// Calls `each` once with all sources mixed, or with --by source once a source; the name is empty for the
@@ -62,11 +64,13 @@ class TableCommands {
   void cells();
   void grid();
   void grid_stats(const LuminanceDatabase& database, const std::vector<PointSet>& sets);
+  double horizontal_lx(const LuminanceDatabase& database) const;
 
   Program& program_;
   DatabaseInput input_;
   std::string plane_;
   bool stats_ = false;
+  bool daylight_factor_ = false;
   CLI::App *info_, *surfaces_, *cells_, *grid_;
 };
 

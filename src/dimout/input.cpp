@@ -1,11 +1,13 @@
 #include "base/atomic_file.hpp"
 #include "base/input_file.hpp"
+#include "climate/sky_mix.hpp"
 #include "common/database_option.hpp"
 #include "common/in_file.hpp"
 #include "common/option_checks.hpp"
 #include "database/spectrum_entry.hpp"
 #include "database/spectrum_text.hpp"
 #include "dimout/commands.hpp"
+#include "dimout/sky_option.hpp"
 #include "transport/auto_bands.hpp"
 
 namespace dim {
@@ -30,6 +32,21 @@ CLI::App* add_command(Program& program, DatabaseInput& input, const std::string&
       ->type_name("NAME=SPECTRUM")
       ->allow_extra_args(false)
       ->check(pair_of("NAME=SPECTRUM"))
+      ->default_str("")
+      ->group("Input");
+  command
+      ->add_option("--state", input.states,
+                   "State of a group of windows, repeatable; others stay as the zone has them")
+      ->type_name("GROUP=STATE")
+      ->allow_extra_args(false)
+      ->check(pair_of("GROUP=STATE"))
+      ->default_str("")
+      ->group("Input");
+  command
+      ->add_option("--sky", input.sky,
+                   "Sky for daylight coefficients: cie-overcast:LUX, cie-N:LUX@ALTITUDE,AZIMUTH, uniform:LUX, "
+                   "perez:ALTITUDE,AZIMUTH,IDN,IDH or FILE.epw@MM-DDTHH:MM")
+      ->type_name("SPEC")
       ->default_str("")
       ->group("Input");
   program.add_common_options(*command, name == "grid");
@@ -94,7 +111,11 @@ LuminanceDatabase open_database(Program& program, const DatabaseInput& input) {
 }
 
 Mix mix_of(const LuminanceDatabase& database, const DatabaseInput& input) {
-  return in_file(input.path, [&] { return parse_mix(input.mix, database.sources()); });
+  return in_file(input.path, [&] {
+    Mix mix = parse_mix(input.mix, database.sources());
+    put_into_states(input.states, database.sources(), mix);
+    return input.sky.empty() ? mix : sky_mix(database, mix, sky_asked_for(input.sky));
+  });
 }
 
 void for_sources(const LuminanceDatabase& database, const DatabaseInput& input,

@@ -53,7 +53,7 @@ struct Gap {
 /// Illuminance at a point of light through a rectangle: the integral of radiance(direction, incidence) over its area.
 inline double through(const Gap& gap, const Vec3& at, const Vec3& normal,
                       const std::function<double(const Vec3& on_gap, const Vec3& direction, double incidence)>& radiance,
-                      int n = 200) {
+                      int n = 180) {
   const Vec3 area = glm::cross(gap.u, gap.v), inwards = glm::normalize(area);
   double sum = 0.0;
   for (int i = 0; i < n; ++i) {

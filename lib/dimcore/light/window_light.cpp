@@ -9,31 +9,40 @@
 namespace dim {
 namespace {
 
-// Paths of a window: where nothing can hide a part of it or of what is seen through it, and else.
+// Paths of a window: where nothing can hide a part of it or of what is seen through it, and else. The latter of points
+// are a Fibonacci number.
 struct PathCounts {
   int free, mixed;
 };
-constexpr PathCounts kOnPoint{1024, 4096};
+constexpr PathCounts kOnPoint{1024, 10946};
+constexpr std::uint64_t kFibonacciBefore = 6765;
 constexpr PathCounts kOnCell{64, 128};
 // Rays in each of 145 parts of the sky, and over the ground, where only rays know what is open.
 constexpr PathCounts kDomeOnPoint{32, 1024};
 constexpr PathCounts kDomeOnCell{2, 64};
 
-// Points of the unit square and of the receiver: folded lattices as far as they go, else a Kronecker sequence.
+// Points of the unit square of a window, and of the receiver: folded lattices, which smooth functions suit; for points
+// that see edges the lattice of least discrepancy in two dimensions.
 class PathPoints {
  public:
   PathPoints(int n, std::uint64_t stream)
-      : sequence_(stream), lattice_(n, LowDiscrepancy4(stream)(0)), folded_(n <= kMostFolded) {
-    n_ = folded_ ? lattice_.size() : static_cast<std::uint64_t>(n);
+      : shift_(LowDiscrepancy4(stream)(0)), folded_(n, shift_), is_folded_(n <= kMostFolded) {
+    n_ = is_folded_ ? folded_.size() : static_cast<std::uint64_t>(n);
   }
   std::uint64_t size() const { return n_; }
-  std::array<double, 4> operator()(std::uint64_t i) const { return folded_ ? lattice_(i) : sequence_(i + 1); }
+  std::array<double, 4> operator()(std::uint64_t i) const {
+    if (is_folded_) return folded_(i);
+    const auto n = static_cast<double>(n_);
+    const double a = static_cast<double>(i) / n + shift_[0];
+    const double b = static_cast<double>(i * kFibonacciBefore % n_) / n + shift_[1];
+    return {a - std::floor(a), b - std::floor(b), shift_[2], shift_[3]};
+  }
 
  private:
   static constexpr int kMostFolded = 1024;
-  LowDiscrepancy4 sequence_;
-  FoldedLattice4 lattice_;
-  bool folded_;
+  std::array<double, 4> shift_;
+  FoldedLattice4 folded_;
+  bool is_folded_;
   std::uint64_t n_;
 };
 

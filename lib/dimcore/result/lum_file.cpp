@@ -80,12 +80,13 @@ void store_bands(Hdf5Writer& file, const ResultContent& content) {
                        "edges of the wavebands");
   file.dataset<std::uint32_t>("/bands/class", of_band, {of_band.size()}, "1",
                               "class of each band: bands in which every finish reflects alike");
-  std::vector<double> diffuse, ior, extinction, constant;
+  std::vector<double> diffuse, ior, extinction, constant, transmittance;
   for (const auto& finishes : classes.of_finish) {
     for (const auto& reflection : finishes) {
       diffuse.push_back(reflection.diffuse);
       ior.push_back(reflection.n);
       extinction.push_back(reflection.k);
+      transmittance.push_back(reflection.transmittance);
       constant.push_back(reflection.constant.value_or(kFresnel));
     }
   }
@@ -94,6 +95,7 @@ void store_bands(Hdf5Writer& file, const ResultContent& content) {
   file.dataset<double>("/classes/ior", ior, shape, "1");
   file.dataset<double>("/classes/extinction", extinction, shape, "1");
   file.dataset<double>("/classes/specular_reflectance", constant, shape, "1", "-1: by Fresnel's equations");
+  file.dataset<double>("/classes/transmittance", transmittance, shape, "1", "of glazings, at normal incidence");
   file.attribute("/classes", "mean", classes.luminous ? "luminous" : "plain");
 }
 
@@ -112,11 +114,12 @@ void load_bands(const Hdf5Reader& file, const std::string& path, ResultContent& 
   const auto diffuse = file.dataset<double>("/classes/diffuse", shape),
              ior = file.dataset<double>("/classes/ior", shape),
              extinction = file.dataset<double>("/classes/extinction", shape),
-             constant = file.dataset<double>("/classes/specular_reflectance", shape);
+             constant = file.dataset<double>("/classes/specular_reflectance", shape),
+             transmittance = file.dataset<double>("/classes/transmittance", shape);
   for (std::size_t i = 0; i < diffuse.size(); ++i) {
     if (i % n_finishes == 0) classes.of_finish.emplace_back();
     BandReflection reflection{diffuse[i], content.zone.finishes[i % n_finishes].specular, ior[i],
-                              extinction[i], {}};
+                              extinction[i], {}, transmittance[i]};
     if (constant[i] != kFresnel) reflection.constant = constant[i];
     if (constant[i] > 1.0 || (constant[i] < 0.0 && constant[i] != kFresnel))
       throw IoError(path, fmt::format("dataset '/classes/specular_reflectance': element {} is {:g}, neither {:g} "
@@ -209,6 +212,7 @@ const FileSchema& lum_schema() {
         {"/classes/ior", "float64", "classes, finishes", "1", Allowed::not_negative},
         {"/classes/extinction", "float64", "classes, finishes", "1", Allowed::not_negative},
         {"/classes/specular_reflectance", "float64", "classes, finishes", "1", Allowed::finite},
+        {"/classes/transmittance", "float64", "classes, finishes", "1", Allowed::share},
         {"/bands/class", "uint32", "bands", "1", Allowed::index, "classes"},
         {"/bands/edge", "float64", "bands+1", "nm", Allowed::positive},
         {"/transfer/cell_total", "float32", "sources, classes, cells", "lx", Allowed::not_negative, {}, false, true},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace dim {
 namespace {
@@ -50,6 +51,31 @@ Mix parse_mix(const std::vector<std::string>& texts, const std::vector<Source>& 
     for (const std::size_t s : sources_named(text.substr(0, equals), sources, "--mix")) mix[s] = factor;
   }
   return mix;
+}
+
+void put_into_states(const std::vector<std::string>& texts, const std::vector<Source>& sources, Mix& mix) {
+  std::map<std::string, std::string> asked;
+  for (const auto& text : texts) {
+    const auto equals = text.find('=');
+    const std::string group = text.substr(0, equals), state = text.substr(equals + 1);
+    std::vector<std::string> groups, states;
+    for (const auto& source : sources) {
+      if (!source.daylight) continue;
+      groups.push_back(source.group);
+      if (source.group == group) states.push_back(source.daylight->state);
+    }
+    if (states.empty())
+      throw InputError({{}, "no windows '" + group + "' for --state", name_cure(group, groups)});
+    if (std::find(states.begin(), states.end(), state) == states.end())
+      throw InputError({{}, "windows '" + group + "' have no state '" + state + "'", name_cure(state, states)});
+    asked[group] = state;
+  }
+  for (std::size_t s = 0; s < sources.size(); ++s) {
+    const auto& daylight = sources[s].daylight;
+    if (!daylight) continue;
+    const auto state = asked.find(sources[s].group);
+    if (state == asked.end() ? !daylight->as_it_stands : daylight->state != state->second) mix[s] = 0.0;
+  }
 }
 
 Mix only(const Mix& mix, std::size_t source) {

@@ -22,6 +22,11 @@ std::vector<std::size_t> sources_named(const std::string& name, const std::vecto
 /// @throws InputError  unknown name, factor not a number >= 0
 Mix parse_mix(const std::vector<std::string>& texts, const std::vector<Source>& sources);
 
+/// Puts groups of windows into states by `GROUP=STATE` texts: daylight of other states is dropped from the mix. Groups
+/// not named stand as the zone file has them.
+/// @throws InputError  unknown group or state
+void put_into_states(const std::vector<std::string>& texts, const std::vector<Source>& sources, Mix& mix);
+
 /// Illuminance of every measuring point, lx, sources mixed. [n_points]
 std::vector<double> point_illuminance_lx(const LuminanceDatabase& database, const Mix& mix);
 /// Illuminance of every cell, lx, sources mixed. [n_cells]

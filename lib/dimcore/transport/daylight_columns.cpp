@@ -124,6 +124,26 @@ void DaylightSources::complete(std::vector<Source>& sources, std::vector<std::ve
   }
 }
 
+std::vector<std::string> DaylightSources::in_words() const {
+  std::size_t n_states = 0;
+  for (const auto& group : windows_.groups) n_states += group.states.size();
+  std::vector<std::string> words;
+  words.push_back(fmt::format("light from outside: windows {}, groups {}, states of all groups {}, each with {}",
+                              windows_.windows.size(), windows_.groups.size(), n_states,
+                              light_->by_patches() ? fmt::format("{} patches of the sky and the ground",
+                                                                 light_->patches().size())
+                              : light_->sun()      ? "sky, ground and sun"
+                                                   : "sky and ground"));
+  words.push_back(tinted() ? "panes or surfaces outside colour the light: it is kept by class of bands"
+                           : "panes let all wavebands pass alike: direct daylight is kept once");
+  words.push_back("inside, panes reflect evenly in all directions, not as mirrors");
+  words.push_back(n_outside_cells() > 0
+                      ? fmt::format("outside surfaces reflect evenly, on {} cells", n_outside_cells())
+                      : std::string("no outside surface: rays that leave meet sky or ground"));
+  if (windows_.dome) words.push_back("the zone is open in ways only rays know: the whole sky is sampled");
+  return words;
+}
+
 void DaylightSources::add_to(DirectColumns& direct, std::size_t n_sources, std::size_t n_classes, const Zone& zone,
                              const Cells& cells, const Job& job) const {
   if (tinted() && direct.n_columns == n_sources) {

@@ -43,6 +43,9 @@ class DaylightSources {
 
   SkyRecord record() const { return record_; }
 
+  /// What is modelled of the outside, for ModelPlan::daylight.
+  std::vector<std::string> in_words() const;
+
  private:
   std::size_t n_outside_columns() const { return light_->n_columns(); }
   void make_sources(const SkyLight& sky, const Bands& bands);

@@ -208,6 +208,12 @@ Solution simulate_room(const Zone& zone, const Cells& cells, const Network& netw
   solution.directional.total = rows_of_states(gathered.psi, shine.grid(), n_sources, n_columns);
   if (daylight) {
     solution.sky = daylight->record();
+    solution.plan.daylight = daylight->in_words();
+    if (shine.any())
+      warnings.push_back({{},
+                          "finishes that shine absorb what they would reflect of direct daylight like a mirror; their "
+                          "diffuse part and all light of luminaires are complete",
+                          "--finish NAME=ENTRY with a diffuse finish shows how much it matters"});
     daylight->complete(solution.sources, class_flux_lm, gathered.columns);
   }
   add_energy(solution, gathered.columns, flights, class_flux_lm);

@@ -1,0 +1,23 @@
+#include "dimout/sky_option.hpp"
+
+#include "common/in_file.hpp"
+#include "sky/weather_light.hpp"
+
+namespace dim {
+namespace {
+
+struct ToDaylight {
+  Daylight operator()(const StandardSky& sky) const { return daylight_of(sky_and_sun_of(sky)); }
+  Daylight operator()(const PerezSky& sky) const { return daylight_of(sky_and_sun_of(sky)); }
+  Daylight operator()(const WeatherMoment& moment) const {
+    return daylight_of(sky_and_sun_of(read_epw(moment.path), moment));
+  }
+};
+
+}  // namespace
+
+Daylight sky_asked_for(const std::string& spec) {
+  return in_file("--sky " + spec, [&] { return std::visit(ToDaylight{}, parse_sky_spec(spec)); });
+}
+
+}  // namespace dim
