@@ -78,7 +78,10 @@ void add_legend(Drawing& drawing, const Scale& scale, double left, const std::st
 
 Drawing heat_map_drawing(const HeatMap& map) {
   const std::size_t n_days = map.values.size() / static_cast<std::size_t>(map.steps_per_day);
-  const Scale scale = automatic_scale(ScaleKind::linear, {map.values.begin(), map.values.end()});
+  std::vector<float> positive;
+  for (const double value : map.values)
+    if (value > 0.0) positive.push_back(static_cast<float>(value));
+  const Scale scale = automatic_scale(ScaleKind::logarithmic, positive);
   const double right = kLeft + kDay_px * static_cast<double>(n_days);
   Drawing drawing;
   drawing.width = static_cast<int>(right + kLegend + kLegendWidth + 70.0);

@@ -15,7 +15,8 @@ struct HeatMap {
   std::vector<double> values;  ///< [n_days x steps_per_day], from the first step of the first day
 };
 
-/// Days across, hours up, the colour of colour_map on a round linear scale from 0, a legend to the right.
+/// Days across, hours up, the colour of colour_map on a round logarithmic scale, a legend to the right; what
+/// is not above 0 has its lowest colour.
 Drawing heat_map_drawing(const HeatMap& map);
 
 }  // namespace dim
