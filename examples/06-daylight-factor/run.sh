@@ -20,7 +20,7 @@ echo
 echo "Daylight factor along the middle of the room, from the window (y = 0) to the back:"
 paste -d, "$out/daylight-factor.csv" "$out/daylight-factor-145.csv" "$out/clear.csv" | awk -F, '
   NR == 1 { print "   y, m   overcast sky, %   from 145 patches, %   clear sky, lx" }
-  NR > 1 && $3 > 1.6 && $3 < 2.1 { printf "%7.2f %12.2f %18.2f %18.0f\n", $4, $10, $20, $29 }'
+  NR > 1 && $3 > 1.9 && $3 < 2.1 { printf "%7.2f %12.2f %18.2f %18.0f\n", $4, $10, $20, $29 }'
 echo
 echo "Made in $out:"
 ls -1 "$out"

@@ -10,7 +10,9 @@
 namespace dim {
 namespace {
 
-constexpr std::uint64_t kRays = 1 << 15;
+// Onto a window before which nothing stands, and onto others.
+constexpr std::uint64_t kOpenRays = 1 << 15;
+constexpr std::uint64_t kRaysPastEdges = 1 << 17;
 constexpr std::uint64_t kSunRays = 1 << 12;
 
 }  // namespace
@@ -126,7 +128,8 @@ WindowFlux::Incident WindowFlux::incident(const Window& window, const Pane& pane
   const Frame frame = klems_frame(window);
   Gatherer gatherer(outside_, pane);
   const LowDiscrepancy4 points(mix(stream));
-  for (std::uint64_t i = 0; i < kRays; ++i) {
+  const std::uint64_t n_rays = window.open_outside ? kOpenRays : kRaysPastEdges;
+  for (std::uint64_t i = 0; i < n_rays; ++i) {
     const auto x = points(i);
     // The first half of the turns is light on its way up, from the ground: before an upright window the horizon cuts
     // no stratum.
@@ -136,12 +139,12 @@ WindowFlux::Incident WindowFlux::incident(const Window& window, const Pane& pane
     const Vec3 on_glass = window.frame().to_world(window.area.point(x[2], x[3]));
     const OutsideSeen seen =
         window.open_outside ? light.open(-inwards) : outside_.seen(on_glass, -inwards, window.plate);
-    gatherer.add(seen, fate(on_glass, inwards, window.plate), travel, kPi / static_cast<double>(kRays));
+    gatherer.add(seen, fate(on_glass, inwards, window.plate), travel, kPi / static_cast<double>(n_rays));
   }
   if (!light.sun()) return gatherer.finish(outside_class);
   const SunDisc disc(*light.sun());
   for (std::uint64_t i = 0; i < kSunRays; ++i) {
-    const auto x = points(kRays + i);
+    const auto x = points(n_rays + i);
     const Vec3 outwards = disc.direction(x[0], x[1]);
     const Vec3 travel = -frame.direction_to_local(outwards);
     if (!(travel.z > 0.0) || !(outwards.z > 0.0)) continue;

@@ -9,41 +9,46 @@
 namespace dim {
 namespace {
 
-// Paths of a window: where nothing can hide a part of it or of what is seen through it, and else. The latter of points
-// are a Fibonacci number.
+// Paths of a window: where nothing can hide a part of it or of what is seen through it, and else. Those of points are
+// Fibonacci numbers.
 struct PathCounts {
   int free, mixed;
 };
-constexpr PathCounts kOnPoint{1024, 10946};
-constexpr std::uint64_t kFibonacciBefore = 6765;
+constexpr PathCounts kOnPoint{1597, 17711};
 constexpr PathCounts kOnCell{64, 128};
 // Rays in each of 145 parts of the sky, and over the ground, where only rays know what is open.
-constexpr PathCounts kDomeOnPoint{32, 1024};
+constexpr PathCounts kDomeOnPoint{34, 987};
 constexpr PathCounts kDomeOnCell{2, 64};
 
-// Points of the unit square of a window, and of the receiver: folded lattices, which smooth functions suit; for points
-// that see edges the lattice of least discrepancy in two dimensions.
+// Points of the unit square of a window, and of the receiver. A measuring point takes the lattice of least discrepancy in
+// two dimensions (Fibonacci's), folded where what it sees is smooth; cells one in four.
 class PathPoints {
  public:
-  PathPoints(int n, std::uint64_t stream)
-      : shift_(LowDiscrepancy4(stream)(0)), folded_(n, shift_), is_folded_(n <= kMostFolded) {
-    n_ = is_folded_ ? folded_.size() : static_cast<std::uint64_t>(n);
-  }
+  PathPoints(const ReceiverArea& receiver, PathCounts counts, bool smooth, std::uint64_t stream)
+      : shift_(LowDiscrepancy4(stream)(0)),
+        in_four_(receiver.is_point() ? 1 : (smooth ? counts.free : counts.mixed), shift_),
+        two_dimensional_(receiver.is_point()),
+        fold_(smooth),
+        n_(two_dimensional_ ? static_cast<std::uint64_t>(smooth ? counts.free : counts.mixed) : in_four_.size()),
+        step_(static_cast<std::uint64_t>(std::llround(static_cast<double>(n_) / kGolden))) {}
   std::uint64_t size() const { return n_; }
   std::array<double, 4> operator()(std::uint64_t i) const {
-    if (is_folded_) return folded_(i);
+    if (!two_dimensional_) return in_four_(i);
     const auto n = static_cast<double>(n_);
-    const double a = static_cast<double>(i) / n + shift_[0];
-    const double b = static_cast<double>(i * kFibonacciBefore % n_) / n + shift_[1];
-    return {a - std::floor(a), b - std::floor(b), shift_[2], shift_[3]};
+    return {place(static_cast<double>(i) / n + shift_[0]), place(static_cast<double>(i * step_ % n_) / n + shift_[1]),
+            shift_[2], shift_[3]};
   }
 
  private:
-  static constexpr int kMostFolded = 1024;
+  static constexpr double kGolden = 1.6180339887498949;
+  double place(double x) const {
+    x -= std::floor(x);
+    return fold_ ? 1.0 - std::abs(2.0 * x - 1.0) : x;
+  }
   std::array<double, 4> shift_;
-  FoldedLattice4 folded_;
-  bool is_folded_;
-  std::uint64_t n_;
+  FoldedLattice4 in_four_;
+  bool two_dimensional_, fold_;
+  std::uint64_t n_, step_;
 };
 
 }  // namespace
@@ -109,7 +114,7 @@ void WindowLight::add(const ReceiverArea& receiver, std::size_t window, SlotSums
 
   const Sight sight{receiver, window, !between.empty()};
   const PathCounts counts = receiver.is_point() ? kOnPoint : kOnCell;
-  const PathPoints points(sight.test_inside || !glass.open_outside ? counts.mixed : counts.free,
+  const PathPoints points(receiver, counts, !sight.test_inside && glass.open_outside,
                           mix(receiver.stream ^ stream_[window]));
   const auto fans_at = [&](const Vec3& eye) {
     std::array<SolidAngleFan, 2> fans{SolidAngleFan(eye), SolidAngleFan(eye)};
@@ -157,7 +162,7 @@ void WindowLight::add_dome(const ReceiverArea& receiver, SlotSums& sums) const {
   const PathCounts counts = receiver.is_point() ? kDomeOnPoint : kDomeOnCell;
   const SkyPatches& vault = light.patches();
   for (std::size_t patch = 0; patch <= vault.ground(); ++patch) {
-    const PathPoints points(patch == vault.ground() ? counts.mixed : counts.free, mix(receiver.stream ^ patch));
+    const PathPoints points(receiver, counts, patch != vault.ground(), mix(receiver.stream ^ patch));
     const double weight = vault.solid_angle_sr(patch) / static_cast<double>(points.size());
     for (std::uint64_t i = 0; i < points.size(); ++i) {
       const auto x = points(i);
