@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "base/error.hpp"
@@ -40,6 +41,19 @@ void check_states(const Groups& groups, const WindowStates& asked) {
 bool is_chosen(const Source& source, const WindowStates& asked) {
   const auto wanted = asked.find(source.group);
   return wanted == asked.end() ? source.daylight->as_it_stands : source.daylight->state == wanted->second;
+}
+
+/// What brings a source's reflected light to the flux that it sends in. A single patch is met by few of the
+/// rays that cells see the sky by: all patches together are right, one of them may be off by a quarter, and
+/// says so.
+double flux_correction(const Source& source) {
+  constexpr double kMost = 4.0;
+  double emitted = 0.0, found = 0.0;
+  for (const auto& band : source.energy) {
+    emitted += band.emitted_W;
+    found += band.emitted_W * (1.0 - band.imbalance);
+  }
+  return found > 0.0 ? std::clamp(emitted / found, 1.0 / kMost, kMost) : 1.0;
 }
 
 /// Adds transfer [n_classes, n_points] weighted with what each class gives of the source's light.
@@ -96,10 +110,14 @@ DaylightCoefficients stored_coefficients(const LuminanceDatabase& database, cons
                                   ? patches.ground()
                                   : static_cast<std::size_t>(source.daylight->patch);
     const auto xyz = source.xyz_by_class(database.classes());
-    add_transfer(database.transfer(TransferPart::point_total, s), xyz, c.n_points,
-                 &c.total_lx[patch * c.n_points]);
-    add_transfer(database.transfer(TransferPart::point_direct, s), xyz, c.n_points,
-                 &c.direct_lx[patch * c.n_points]);
+    std::vector<float> total(c.n_points, 0.0F), direct(c.n_points, 0.0F);
+    add_transfer(database.transfer(TransferPart::point_total, s), xyz, c.n_points, total.data());
+    add_transfer(database.transfer(TransferPart::point_direct, s), xyz, c.n_points, direct.data());
+    const auto correction = static_cast<float>(flux_correction(source));
+    for (std::size_t i = 0; i < c.n_points; ++i) {
+      c.direct_lx[patch * c.n_points + i] += direct[i];
+      c.total_lx[patch * c.n_points + i] += direct[i] + correction * (total[i] - direct[i]);
+    }
   }
   return c;
 }

@@ -17,7 +17,8 @@ using WindowStates = std::map<std::string, std::string>;
 WindowStates parse_states(const std::vector<std::string>& texts);
 
 /// Coefficients of the measuring points of a luminance database, all groups of windows together, each in its
-/// state: the one asked for or that of the zone file.
+/// state: the one asked for or that of the zone file. Reflected light of a patch is brought to the flux that
+/// the patch sends in, which is known better than what few rays of each cell found of it.
 /// @param group  only the light of this group of windows; empty: of all
 /// @throws InputError  without a place: no coefficients in the file, no such group or state
 DaylightCoefficients stored_coefficients(const LuminanceDatabase& database, const WindowStates& states,
