@@ -53,19 +53,19 @@ struct Gap {
 /// Illuminance at a point of light through a rectangle: the integral of radiance(direction, incidence) over its area.
 inline double through(const Gap& gap, const Vec3& at, const Vec3& normal,
                       const std::function<double(const Vec3& on_gap, const Vec3& direction, double incidence)>& radiance,
-                      int n = 180) {
+                      int n_u = 180, int n_v = 180) {
   const Vec3 area = glm::cross(gap.u, gap.v), inwards = glm::normalize(area);
   double sum = 0.0;
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) {
-      const Vec3 q = gap.corner + (i + 0.5) / n * gap.u + (j + 0.5) / n * gap.v;
+  for (int i = 0; i < n_u; ++i) {
+    for (int j = 0; j < n_v; ++j) {
+      const Vec3 q = gap.corner + (i + 0.5) / n_u * gap.u + (j + 0.5) / n_v * gap.v;
       const double r = glm::length(q - at);
       const Vec3 direction = (q - at) / r;
       const double cosine = glm::dot(normal, direction), incidence = -glm::dot(inwards, direction);
       if (cosine > 0.0 && incidence > 0.0) sum += cosine * incidence / (r * r) * radiance(q, direction, incidence);
     }
   }
-  return sum * glm::length(area) / (n * static_cast<double>(n));
+  return sum * glm::length(area) / (n_u * static_cast<double>(n_v));
 }
 
 struct DaylitRoom {
