@@ -54,6 +54,7 @@ std::string one(const std::string& more) {
 }
 
 void check_one(const std::vector<std::string>& problems, const std::string& expected) {
+  for (const auto& problem : problems) UNSCOPED_INFO(problem);
   REQUIRE(problems.size() == 1);
   CHECK(problems[0] == expected);
 }
@@ -317,7 +318,7 @@ TEST_CASE("Photometric files that are missing or wrong are named", "[scene][ligh
 }
 
 TEST_CASE("A sky over a zone without windows and empty files are refused", "[scene][lights][unit]") {
-  check_one(light_problems(one("fitting = \"a.ies\"\nat = [1,1,2.5]") + "[sky]\nmodel = \"uniform\"\n"),
+  check_one(light_problems(one("fitting = \"a.ies\"\nat = [1,1,2.5]") + "[sky]\nmodel = \"uniform\"\nhorizontal = 10000\n"),
             "lamps/lights.toml:6:1: no light of the sky comes in: the zone is closed and has no window\n"
             "        give a surface of the zone file a finish of kind = \"glazing\"");
   check_one(light_problems("dim = \"lights/1\"\n"),

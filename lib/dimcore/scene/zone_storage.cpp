@@ -177,8 +177,8 @@ Finish finish_from(const JsonEntry& json) {
   finish.transmittance = curve(json["transmittance"], 0.0, 1.0);
   json["angular_law"].word({"glass", "constant", "table", "diffusing", "bsdf"});
   finish.angular_law = json["angular_law"].text();
-  finish.by_angle = angles_from(json["by_angle"]);
-  finish.direct = json["direct"].number(0.0, 1.0);
+  if (json.has("by_angle")) finish.by_angle = angles_from(json["by_angle"]);
+  if (json.has("direct")) finish.direct = json["direct"].number(0.0, 1.0);
   if (json.has("bsdf"))
     finish.bsdf = std::make_shared<const KlemsMatrix>(json["bsdf"].numbers(klems::kPatches * klems::kPatches, 0.0));
   else if (finish.angular_law == "bsdf")
