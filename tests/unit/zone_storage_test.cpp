@@ -191,7 +191,7 @@ std::string refusal(const Forgery& f, const std::string& path) {
   numbers("points", f.points, {f.points.size() / 6, 6});
   const std::vector<std::uint8_t> valid(f.points.size() / 6, 1);
   file.dataset("/zone/point_valid", std::span(valid), {valid.size()}, "1");
-  for (const std::string group : {"surfaces", "planes"}) {
+  for (const std::string group : {"surfaces", "planes", "openings"}) {
     const bool s = group == "surfaces";
     const std::vector<std::uint32_t> none;
     numbers(group + "/frame",
@@ -247,7 +247,7 @@ TEST_CASE("An empty list of points, planes and views comes back empty", "[scene]
 TEST_CASE("A forged zone is refused in one line, whatever does not hold together", "[scene][unit]") {
   const Folder folder;
   const std::string path = folder / "a.rays";
-  CHECK(refusal(honest(), path).empty());
+  CHECK(refusal(honest(), path) == "");
   const auto with = [&](auto&& change) {
     Forgery f = honest();
     change(f);
