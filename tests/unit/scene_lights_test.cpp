@@ -317,11 +317,11 @@ TEST_CASE("Photometric files that are missing or wrong are named", "[scene][ligh
 }
 
 TEST_CASE("A sky over a zone without windows and empty files are refused", "[scene][lights][unit]") {
-  check_one(light_problems(one("fitting = \"a.ies\"\nat = [1,1,2.5]") + "[sky]\nmodel = \"uniform\"\n"),
+  check_one(light_problems(one("fitting = \"a.ies\"\nat = [1,1,2.5]") + "[sky]\nmodel = \"uniform\"\nhorizontal = 10000\n"),
             "lamps/lights.toml:6:1: no light of the sky comes in: the zone is closed and has no window\n"
             "        give a surface of the zone file a finish of kind = \"glazing\"");
   check_one(light_problems("dim = \"lights/1\"\n"),
-            "lamps/lights.toml:1:1: the file has no light source\n        write at least one [[luminaire]]");
+            "lamps/lights.toml:1:1: the file has no light source\n        write at least one [[luminaire]], or a [sky]");
   check_one(light_problems("dim = \"zone/1\"\n"),
             "lamps/lights.toml:1:7: 'zone/1' is not a lights file\n        a lights file begins with dim = "
             "\"lights/1\"");
