@@ -48,6 +48,8 @@ void check_same(const Finish& a, const Finish& b) {
   CHECK(a.distribution == b.distribution);
   CHECK(a.transmittance.points() == b.transmittance.points());
   CHECK(a.angular_law == b.angular_law);
+  CHECK(a.by_angle == b.by_angle);
+  CHECK(a.direct == b.direct);
   CHECK(a.source == b.source);
 }
 
@@ -172,7 +174,7 @@ Forgery honest() {
   Forgery f;
   f.description = R"({"name":"z","finishes":[{"name":"f","kind":"opaque","diffuse":[[555,0.5]],"specular":0.0,
 "roughness":0.0,"ior":[[555,1.5]],"distribution":"gaussian","transmittance":[[555,0.0]],"angular_law":"glass",
-"source":"inline"}],"views":[],"planes":[],"point_sets":[{"name":"p","first":0,"count":1}]})";
+"by_angle":[],"direct":0.0,"source":"inline"}],"windows":[],"views":[],"planes":[],"point_sets":[{"name":"p","first":0,"count":1}]})";
   f.table = {0, -1, -1, 1, 0, 0, 0, 0};
   f.n_corners = {3};
   f.n_rings = {1};
@@ -233,7 +235,9 @@ TEST_CASE("Every property of a finish comes back", "[scene][unit]") {
   f.specular_reflectance = SpectralCurve({{380, 0.1}, {780, 0.9}});
   f.distribution = "beckmann";
   f.transmittance = SpectralCurve(0.7);
-  f.angular_law = "constant";
+  f.angular_law = "table";
+  f.by_angle = {{0.0, 1.0}, {60.0, 0.9}, {90.0, 0.0}};
+  f.direct = 0.25;
   f.source = "db";
   check_same(zone, stored_and_loaded(zone, folder / "a.rays"));
 }
