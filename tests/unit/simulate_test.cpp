@@ -297,3 +297,36 @@ TEST_CASE("A solution that does not fit is refused beforehand", "[simulate][unit
   Warnings warnings;
   CHECK_THROWS_AS(simulate(zone, Cells(zone), network, three_lamps(), {}, job, warnings), LimitError);
 }
+
+TEST_CASE("A source has the flux of all its luminaires", "[simulate][unit]") {
+  const Lights lights = three_lamps();
+  const auto combined = combine(lights, Bands::uniform(1), Combine::group);
+  REQUIRE(combined.sources.size() == 2);
+  CHECK(combined.of_luminaire == std::vector<std::size_t>{0, 0, 1});
+  CHECK(combined.sources[0].flux_lm == Approx(200.0 * 4.0 * kPi + 300.0 * kPi).epsilon(1e-9));
+  CHECK(combined.sources[1].flux_lm == Approx(2.0 * 80.0 * kPi).epsilon(1e-9));
+}
+
+TEST_CASE("The luminances of a source's classes add up to its flux, whatever its spectrum", "[simulate][unit]") {
+  Source source;
+  source.weights = band_weights(SpectralCurve({{380, 0.1}, {500, 0.2}, {780, 1.0}}), Bands::uniform(4));
+  ReflectanceClasses classes;
+  classes.of_band = {0, 1, 2, 1};
+  classes.of_finish.resize(3);
+  double luminance = 0.0;
+  for (const Vec3& xyz : source.xyz_by_class(classes)) luminance += xyz.y;
+  CHECK(luminance == Approx(1.0).epsilon(1e-9));
+}
+
+TEST_CASE("Light on the back of a surface is lost, and said to be", "[simulate][unit]") {
+  Zone zone = box_zone({4, 3, 2}, 0.0, 0.25);
+  // It faces the floor: the lamp above sees its back.
+  add_surface(zone, "screen", {{-0.5, -0.4, -0.5}, {-0.5, 0.4, -0.5}, {0.5, 0.4, -0.5}, {0.5, -0.4, -0.5}}, 0, 0.5);
+  zone.surfaces.back().bounding = false;
+  REQUIRE(zone.surfaces.back().polygon.normal().z < 0.0);
+  const auto solution = solve(zone, point_lamp({0, 0, 0.2}, 100.0), network_of(zone, kFew));
+  const auto& energy = solution.sources[0].energy[0];
+  const double on_back = solid_angle_sr({-0.5, -0.4}, {0.5, 0.4}, 0.7) / (4.0 * kPi);
+  CHECK(energy.lost_W == Approx(on_back * energy.emitted_W).epsilon(0.01));
+  CHECK(std::abs(energy.imbalance) < 2e-3);
+}
