@@ -1,7 +1,7 @@
 #include "dimout/daylight.hpp"
 
 #include "common/in_file.hpp"
-#include "common/option_checks.hpp"
+#include "dimout/sky_option.hpp"
 
 namespace dim {
 
@@ -17,13 +17,7 @@ CLI::App* add_daylight_command(Program& program, DaylightInput& input, const std
       ->required(weather_required)
       ->type_name("FILE.epw")
       ->group("Input");
-  command
-      ->add_option("--state", input.states,
-                   "State of a group of windows, repeatable; others stay as the zone has them")
-      ->type_name("GROUP=STATE")
-      ->allow_extra_args(false)
-      ->check(pair_of("GROUP=STATE"))
-      ->group("Input");
+  add_state_option(*command, input.states);
   command->add_option("-o,--output", input.database.output, "File to write, - for standard output")
       ->type_name("FILE");
   program.add_common_options(*command, name == "annual");

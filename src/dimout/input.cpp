@@ -34,14 +34,7 @@ CLI::App* add_command(Program& program, DatabaseInput& input, const std::string&
       ->check(pair_of("NAME=SPECTRUM"))
       ->default_str("")
       ->group("Input");
-  command
-      ->add_option("--state", input.states,
-                   "State of a group of windows, repeatable; others stay as the zone has them")
-      ->type_name("GROUP=STATE")
-      ->allow_extra_args(false)
-      ->check(pair_of("GROUP=STATE"))
-      ->default_str("")
-      ->group("Input");
+  add_state_option(*command, input.states)->default_str("");
   command
       ->add_option("--sky", input.sky,
                    "Sky for daylight coefficients: cie-overcast:LUX, cie-N:LUX@ALTITUDE,AZIMUTH, uniform:LUX, "

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/convex_split.hpp"
+#include "scene/corner_behind.hpp"
 
 namespace dim {
 namespace {
@@ -35,15 +36,9 @@ std::vector<ConvexRing> convex_parts(const Polygon& polygon, const AreaSampler& 
   return parts;
 }
 
-// Whether any corner of the zone lies before the window's outer face.
+// Whether nothing of the zone lies before the window's outer face.
 bool is_open_outside(const Zone& zone, const Frame& frame) {
-  const double tolerance_m = 1e-7 * zone.diameter_m;
-  return std::none_of(zone.surfaces.begin(), zone.surfaces.end(), [&](const Surface& surface) {
-    const auto& ring = surface.polygon.rings().front();
-    return std::any_of(ring.begin(), ring.end(), [&](const Vec2& p) {
-      return frame.height(surface.polygon.frame().to_world(p)) < -tolerance_m;
-    });
-  });
+  return !any_corner_behind(zone, frame, 1e-7 * zone.diameter_m);
 }
 
 std::size_t group_of(Windows& all, const std::string& name) {

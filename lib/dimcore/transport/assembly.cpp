@@ -116,18 +116,18 @@ Assembly::Assembly(const Room& room, const ModelPlan& plan, const Shine& shine, 
   solution_.directional.cells = shine.off_specular();
 }
 
-Columns<float> Assembly::add_direct(const DirectColumns& direct) {
+Assembly::DirectAsColumns Assembly::add_direct(const DirectColumns& direct) {
   const std::size_t n_sources = plan_.n_sources();
   solution_.n_direct_classes = direct.n_columns / n_sources;
-  solution_.cell_direct =
-      rows_of_columns(Columns<float>::from_rows(direct.cell, direct.n_columns), solution_.n_cells, n_sources);
-  auto point = Columns<float>::from_rows(direct.point, direct.n_columns);
-  solution_.point_direct = rows_of_columns(point, solution_.n_points, n_sources);
+  DirectAsColumns columns{Columns<float>::from_rows(direct.cell, direct.n_columns),
+                          Columns<float>::from_rows(direct.point, direct.n_columns)};
+  solution_.cell_direct = rows_of_columns(columns.cell, solution_.n_cells, n_sources);
+  solution_.point_direct = rows_of_columns(columns.point, solution_.n_points, n_sources);
   solution_.directional.direct = rows_of_states(direct.shine.psi, shine_.grid(), n_sources, plan_.n_columns());
   solution_.mirrors = direct.outcome;
   for (const double uncertain : direct.uncertain)
     solution_.mirrors.uncertain = std::max(solution_.mirrors.uncertain, uncertain);
-  return point;
+  return columns;
 }
 
 void Assembly::add_total(Gathered<float> gathered, const DirectColumns& direct,

@@ -20,8 +20,11 @@ class Assembly {
   Assembly(const Room& room, const ModelPlan& plan, const Shine& shine, const Bands& bands);
 
   /// Direct light of luminaires and images, before `DirectColumns::add_followed`.
-  /// @returns that of measuring points, as columns
-  Columns<float> add_direct(const DirectColumns& direct);
+  /// @returns the same as columns
+  struct DirectAsColumns {
+    Columns<float> cell, point;
+  };
+  DirectAsColumns add_direct(const DirectColumns& direct);
 
   /// All light, the counts, and the energy balance of every source and band.
   /// @param flights   [n_sources]

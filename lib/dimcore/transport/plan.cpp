@@ -5,20 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/corner_behind.hpp"
 #include "transport/auto_bands.hpp"
 
 namespace dim {
 namespace {
-
-bool any_corner_behind(const Zone& zone, const Frame& frame) {
-  const double tolerance_m = 1e-9 * zone.diameter_m;
-  return std::any_of(zone.surfaces.begin(), zone.surfaces.end(), [&](const Surface& surface) {
-    const auto& ring = surface.polygon.rings().front();
-    return std::any_of(ring.begin(), ring.end(), [&](const Vec2& p) {
-      return frame.height(surface.polygon.frame().to_world(p)) < -tolerance_m;
-    });
-  });
-}
 
 void check_finishes(const Zone& zone, const Bands& bands, const ReflectanceClasses& classes) {
   Problems problems;
@@ -90,7 +81,7 @@ bool is_convex_and_empty(const Zone& zone, const Lights& lights) {
   for (const auto& surface : zone.surfaces) {
     const Frame& frame = surface.polygon.frame();
     const bool shell = surface.bounding || surface.parent >= 0;
-    if (!shell || surface.outside || any_corner_behind(zone, frame)) return false;
+    if (!shell || surface.outside || any_corner_behind(zone, frame, tolerance_m)) return false;
     const auto outside = [&](const Luminaire& luminaire) {
       const double reach_m = std::abs(glm::dot(luminaire.c0, frame.n)) * luminaire.opening.length_m / 2.0 +
                              std::abs(glm::dot(luminaire.c90, frame.n)) * luminaire.opening.width_m / 2.0 +

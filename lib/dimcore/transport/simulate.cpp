@@ -12,15 +12,14 @@ namespace dim {
 namespace {
 
 Gathered<float> inter_reflect(const Room& room, const ModelPlan& plan, const Shine& shine,
-                              const DirectColumns& direct, const Columns<float>& point_direct,
+                              const DirectShine& direct_shine, const Assembly::DirectAsColumns& direct,
                               const SimulationOptions& options, const Job& job) {
-  const auto cell_direct = Columns<float>::from_rows(direct.cell, direct.n_columns);
   const Reflectances reflectances = diffuse_reflectances(room.zone, plan);
-  const GatherShine gather_shine{shine, room.zone, direct.shine};
+  const GatherShine gather_shine{shine, room.zone, direct_shine};
   const auto* shiny = shine.any() ? &gather_shine : nullptr;
   return options.solver == Solver::gather
-             ? gather(room.network, room.cells, cell_direct, point_direct, reflectances, options.gather, job, shiny)
-             : track(room.zone, room.network, room.cells, cell_direct, point_direct, reflectances, options.track,
+             ? gather(room.network, room.cells, direct.cell, direct.point, reflectances, options.gather, job, shiny)
+             : track(room.zone, room.network, room.cells, direct.cell, direct.point, reflectances, options.track,
                      job, shiny);
 }
 
@@ -46,10 +45,10 @@ Solution simulate(const Zone& zone, const Cells& cells, const Network& network, 
     daylight->add_flights(flights);
   }
   Assembly assembly(room, plan, shine, options.bands);
-  const auto point_direct = assembly.add_direct(direct);
+  auto columns = assembly.add_direct(direct);
 
-  direct.add_followed();
-  auto gathered = inter_reflect(room, plan, shine, direct, point_direct, options, job);
+  if (direct.add_followed()) columns.cell = Columns<float>::from_rows(direct.cell, direct.n_columns);
+  auto gathered = inter_reflect(room, plan, shine, direct.shine, columns, options, job);
   assembly.add_total(std::move(gathered), direct, flights, daylight ? &*daylight : nullptr);
   return assembly.finish();
 }
