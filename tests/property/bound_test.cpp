@@ -5,6 +5,7 @@
 
 #include "catch.hpp"
 #include "property/transport_support.hpp"
+#include "transport/contraction.hpp"
 #include "transport/gather.hpp"
 
 using namespace dim;
@@ -83,6 +84,7 @@ class ShinyRoom {
     return errors;
   }
 
+  const Shine& shine() const { return shine_; }
   bool has_lobes() const { return shine_.n_states() > 0; }
 
  private:
@@ -121,6 +123,31 @@ TEST_CASE("The bound holds with mirrors and with lobes", "[gather][shine][proper
   const Kind kind = GENERATE(Kind::mirrors, Kind::lobes, Kind::both);
   std::mt19937_64 random(GENERATE(range(1, 5)));
   check_bounds(ShinyRoom(shiny_room(kind, random)));
+}
+
+TEST_CASE("What a mirror hands on to mirrors is sent on where it comes down at last", "[gather][shine][unit]") {
+  // Light that lands on a mirror is reflected diffusely or mirrored, and lands again, at most on a mirror alike.
+  Zone zone = box_zone({4, 4, 3}, 0.45, 0.5);
+  Finish mirror;
+  mirror.name = "mirror";
+  mirror.diffuse = SpectralCurve(0.3);
+  mirror.specular = 0.5;
+  mirror.roughness = 0.0;
+  mirror.specular_reflectance = SpectralCurve(0.8);
+  zone.finishes.push_back(mirror);
+  for (std::size_t s = 2; s < 6; ++s) zone.surfaces[s].finish = 1;
+  const ShinyRoom room(zone);
+  const auto& slices = room.shine().slice_albedo(0, 1);
+  const double mirrored = *std::max_element(slices.begin(), slices.end());
+  REQUIRE(mirrored > 0.2);
+  double landed = 0.0;
+  for (double flux = 1.0; flux > 1e-15; flux *= mirrored) landed += flux;
+  const SentOn by_mirror = most_sent_on(2, 0.3, &room.shine(), zone, 0);
+  CHECK(by_mirror.share == Approx(0.3 * landed).epsilon(1e-12));
+  CHECK(by_mirror.landing == Approx(landed).epsilon(1e-12));
+  const SentOn by_floor = most_sent_on(0, 0.45, &room.shine(), zone, 0);
+  CHECK(by_floor.share == 0.45);
+  CHECK(by_floor.landing == 1.0);
 }
 
 TEST_CASE("Mirrors on four walls: the bound is no less than the error", "[gather][shine][unit]") {

@@ -1,6 +1,7 @@
 #include "network/network.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "catch.hpp"
 #include "network/balance.hpp"
@@ -132,6 +133,45 @@ TEST_CASE("Families reach cells that no ray hits and conserve each row", "[netwo
   const std::size_t n_own_surface = 8 * 8;
   CHECK(n_hit <= 8);
   CHECK(n_reached == n - n_own_surface);
+}
+
+TEST_CASE("Each patch's ray ends where the patch's directions lead", "[network][unit]") {
+  // From the middles of cells in an empty box, so that the ends are known without casting.
+  const Zone zone = test::box_zone({4, 3, 2.5}, 0.5, 0.25);
+  const Cells cells(zone);
+  NetworkOptions options;
+  options.patches = {4, 8};
+  options.sampling = Sampling::centre;
+  const Network network = build_network(zone, cells, options, Job{});
+  const auto end = [&](const Vec3& from, const Vec3& direction, std::size_t own) {
+    std::size_t surface = own;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t s = 0; s < zone.surfaces.size(); ++s) {
+      const Frame& plane = zone.surfaces[s].polygon.frame();
+      const double t = -plane.height(from) / glm::dot(plane.n, direction);
+      if (s != own && t > 0.0 && t < nearest) {
+        nearest = t;
+        surface = s;
+      }
+    }
+    const Vec2 local = zone.surfaces[surface].polygon.frame().to_local(from + nearest * direction);
+    return cells.first(surface) + static_cast<std::size_t>(cells.grid(surface).cell_at(local));
+  };
+  std::size_t n_elsewhere = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Frame& frame = zone.surfaces[cells.surface_of(i)].polygon.frame();
+    std::size_t patch = 0;
+    for (int slice = 0; slice < 4; ++slice) {
+      for (int sector = 0; sector < 8; ++sector, ++patch) {
+        const double z = (slice + 0.5) / 4, r = std::sqrt(1.0 - z * z), a = 2.0 * kPi * (sector + 0.5) / 8;
+        const Vec3 direction = frame.direction_to_world({r * std::cos(a), r * std::sin(a), z});
+        const Vec3 from = frame.to_world(cells[i].centroid);
+        n_elsewhere += network.sinks.at(i, patch) != end(from, direction, cells.surface_of(i));
+      }
+    }
+  }
+  // Ends on the line between two cells may fall to either by rounding.
+  CHECK(n_elsewhere * 1000 < network.sinks.n_rays());
 }
 
 TEST_CASE("The same network comes out of every run and a different one from another seed",

@@ -220,6 +220,29 @@ TEST_CASE("An L-shaped space behind two partitions is dark round its corner", "[
   CHECK(found.n_bright_dark == 0);
 }
 
+TEST_CASE("A ray that ends on the foot of a partition ends on the side it comes from", "[network][unit]") {
+  const Scene scene = [] {
+    Scene made(17.3, 0.5);
+    made.room(kRoom, 2.7).panel("partition", {2.8, 0}, {2.8, 3}, 0, 2.7);
+    return made;
+  }();
+  const Zone zone = scene.read();
+  const Cells cells(zone);
+  const Frame& floor = zone.surfaces[0].polygon.frame();
+  const auto x_of_hit = [&](double y, double off, double step) {
+    const auto place = [&](double x, double z) { return scene.in_zone(zone, {x, y, z}); };
+    const Vec3 direction = glm::normalize(place(2.8, 0) - place(2.8 - step, 1));
+    const auto cell = cells.cell_hit(0, floor.to_local(place(2.8 + off, 0)), direction);
+    return scene.unturned(zone, floor.to_world(cells[cell].centroid)).x;
+  };
+  for (double y = 0.05; y < 3.0; y += 0.1) {
+    for (const double off : {-1e-10, 0.0, 1e-10}) {
+      CHECK(x_of_hit(y, off, 0.3) < 2.8);
+      CHECK(x_of_hit(y, off, -0.3) > 2.8);
+    }
+  }
+}
+
 TEST_CASE("Light goes round a panel that ends in the middle of the floor", "[network][property]") {
   Scene scene(0.0, 0.5);
   scene.room(kRoom, 2.5).panel("panel", {2.8, 0}, {2.8, 1.7}, 0, 2.5);
