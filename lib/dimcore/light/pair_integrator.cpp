@@ -115,7 +115,7 @@ DirectEstimate PairIntegrator::mean(const Receiver& receiver, PlatesBetween& bet
   const ConvexRing bounds =
       opening_.bounds.front_of(receiver.frame->n, glm::dot(receiver.frame->n, receiver.ring[0]));
   Shadows shadows{bounds, free_lx, lines, receiver.skip, chance};
-  return shadowed(pair, between.found, 0, shadows);
+  return shadowed(pair, between.found, shadows);
 }
 
 void PairIntegrator::find(PlatesBetween& between) const {

@@ -111,7 +111,8 @@ class PairIntegrator {
   double by_gauss(const Pair& pair) const;
   double touching(const Pair& pair) const;
   double of_lambertian(const Pair& pair, int depth) const;
-  DirectEstimate shadowed(const Pair& pair, std::vector<int> plates, int depth, Shadows& shadows) const;
+  DirectEstimate shadowed(const Pair& pair, const std::vector<int>& plates, Shadows& shadows) const;
+  double find_half_hidden(const Pair& pair, std::vector<int> plates, int depth, Shadows& shadows) const;
   DirectEstimate by_lines(const Pair& pair, double free_lx, const std::vector<int>& plates, int n,
                           Shadows& shadows) const;
   DirectEstimate by_rays(const Pair& pair, double free_lx, int n, int skip, Chance& chance) const;

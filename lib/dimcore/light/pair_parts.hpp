@@ -28,6 +28,12 @@ struct PairIntegrator::Shadows {
   double lines;              // for the whole pair
   int skip;
   Chance chance;
+  struct Part {
+    Pair pair;
+    std::vector<int> plates;  // that hide some of it
+    double free_lx;
+  };
+  std::vector<Part> parts{};
   Intervals hidden{};
 };
 

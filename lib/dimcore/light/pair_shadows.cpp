@@ -57,35 +57,47 @@ bool PairIntegrator::blocked(const Vec3& receiver, const Vec3& on_opening, int s
                                   : path_blocked(zone_, caster_, source_, receiver, on_opening, skip);
 }
 
-DirectEstimate PairIntegrator::shadowed(const Pair& pair, std::vector<int> plates, int depth,
-                                        Shadows& shadows) const {
+// What is hidden wholly or not at all needs no lines: all of them go to the parts that are hidden in part.
+DirectEstimate PairIntegrator::shadowed(const Pair& pair, const std::vector<int>& plates, Shadows& shadows) const {
+  DirectEstimate sum{find_half_hidden(pair, plates, 0, shadows), 0.0};
+  double free_lx = 0.0;
+  for (const auto& part : shadows.parts) free_lx += part.free_lx;
+  for (const auto& part : shadows.parts) {
+    // Of equal halves none is to get a line more by rounding.
+    const double n = shadows.lines * std::min(1.0, part.free_lx / free_lx) - 1e-9;
+    const DirectEstimate of_part =
+        by_lines(part.pair, part.free_lx, part.plates, std::max(1, static_cast<int>(std::ceil(n))), shadows);
+    sum.lx += of_part.lx;
+    sum.variance_lx2 += of_part.variance_lx2;
+  }
+  return sum;
+}
+
+// The light of parts that nothing hides; keeps those that are hidden in part.
+double PairIntegrator::find_half_hidden(const Pair& pair, std::vector<int> plates, int depth, Shadows& shadows) const {
   constexpr int kFewCorners = 8;
   const auto& ring = pair.opening.ring;
   const Shaft shaft(pair.cell.ring, ring.size() > kFewCorners && depth == 0 ? shadows.bounds : ring, shadows.skip);
   std::size_t n_kept = 0;
   for (const int plate : plates) {
     const auto cover = plates_.cover(plate, shaft);
-    if (cover == ShadowPlates::Cover::whole) return {};
+    if (cover == ShadowPlates::Cover::whole) return 0.0;
     if (cover == ShadowPlates::Cover::part) plates[n_kept++] = plate;
   }
   plates.resize(n_kept);
   const double free_lx = depth == 0 ? shadows.free_lx : free(pair, 0);
-  if (plates.empty() || !(free_lx > 0.0)) return {free_lx, 0.0};
-  if (depth < kMostShadowHalvings && pair.size_m() > kNearShadow * pair.distance_m()) {
-    DirectEstimate sum;
-    for (const Side& part : halves(pair.halve_cell() ? pair.cell : pair.opening)) {
-      if (!(part.share > 0.0)) continue;
-      const DirectEstimate half =
-          pair.halve_cell() ? shadowed({part, pair.opening, pair.normal}, plates, depth + 1, shadows)
-                            : shadowed({pair.cell, part, pair.normal}, plates, depth + 1, shadows);
-      sum.lx += half.lx;
-      sum.variance_lx2 += half.variance_lx2;
-    }
-    return sum;
+  if (plates.empty() || !(free_lx > 0.0)) return free_lx;
+  if (depth == kMostShadowHalvings || pair.size_m() <= kNearShadow * pair.distance_m()) {
+    shadows.parts.push_back({pair, std::move(plates), free_lx});
+    return 0.0;
   }
-  // Of equal halves none is to get a line more by rounding.
-  const double n = shadows.lines * std::min(1.0, free_lx / shadows.free_lx) - 1e-9;
-  return by_lines(pair, free_lx, plates, std::max(1, static_cast<int>(std::ceil(n))), shadows);
+  double sum_lx = 0.0;
+  for (const Side& part : halves(pair.halve_cell() ? pair.cell : pair.opening)) {
+    if (!(part.share > 0.0)) continue;
+    sum_lx += pair.halve_cell() ? find_half_hidden({part, pair.opening, pair.normal}, plates, depth + 1, shadows)
+                                : find_half_hidden({pair.cell, part, pair.normal}, plates, depth + 1, shadows);
+  }
+  return sum_lx;
 }
 
 DirectEstimate PairIntegrator::by_rays(const Pair& pair, double free_lx, int n, int skip, Chance& chance) const {

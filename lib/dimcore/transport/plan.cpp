@@ -32,7 +32,7 @@ void check_finishes(const Zone& zone, const Bands& bands, const ReflectanceClass
 // As many as keep the error along the edges of shadows near the request: it falls a little faster than the
 // number of lines rises, from 0.3 % rms of the unobstructed light at 128.
 int shadow_lines(double tolerance) {
-  constexpr double kLeast = 16.0, kMost = 512.0, kUsual = 128.0;
+  constexpr double kLeast = 16.0, kMost = 1024.0, kUsual = 128.0;
   return static_cast<int>(std::clamp(kUsual * GatherOptions{}.tolerance / tolerance, kLeast, kMost));
 }
 
