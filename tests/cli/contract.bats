@@ -293,3 +293,16 @@ near() { awk -v a="$1" -v b="$2" 'BEGIN { d = a - b; if (d < 0) d = -d; exit !(d
   [ "$(head -c 2 p.hdr)" = "#?" ]
   [ "$(head -c 4 p.exr | od -An -tx1)" = " 76 2f 31 01" ]
 }
+
+@test "luminaires with bodies go through all programs, and take light where they are black" {
+  floor() { dimout surfaces "$1" | awk -F, '$1 == "floor" { print $3 }'; }
+  sed 's/^fitting = .*/&\nbody = true/' room.lights.toml > black.lights.toml
+  sed 's/^body = .*/body = { reflectance = 0.9 }/' black.lights.toml > white.lights.toml
+  sed '/^body = /d' black.lights.toml > none.lights.toml
+  for body in black white none; do
+    dimray room.rays $body.lights.toml -o $body.lum
+    dimout grid $body.lum > $body.csv
+  done
+  [ "$(wc -l < black.csv)" = "$(wc -l < none.csv)" ]
+  awk -v b="$(floor black.lum)" -v w="$(floor white.lum)" -v n="$(floor none.lum)" 'BEGIN { exit !(b < 0.999 * w && b < 0.999 * n) }'
+}

@@ -61,6 +61,8 @@ ResultContent content_of(const Zone& zone, const Cells& cells, const Lights& lig
   content.zone = zone;
   content.bands = solution.bands;
   content.classes = solution.classes;
+  // Finishes of luminaires' bodies come after the zone's own and are not part of it.
+  for (auto& finishes : content.classes.of_finish) finishes.resize(zone.finishes.size());
   content.sources = solution.sources;
   content.spectra.assign(solution.sources.size(), {SpectralCurve(1.0), true});
   for (std::size_t l = 0; l < lights.luminaires.size(); ++l) {
