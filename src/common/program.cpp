@@ -122,6 +122,7 @@ void Program::apply_options() {
 }
 
 int Program::run(int argc, char** argv, const std::function<Exit()>& work) {
+  keep_freed_memory();
   try {
     if (argc > 1) refuse_unknown_command(argv[1]);
     app_.parse(argc, argv);

@@ -86,6 +86,10 @@ class Program {
 
 /// Peak resident memory of this process so far, bytes.
 std::size_t peak_memory_bytes();
+
+/// Has large blocks of memory that are freed kept for the next ones, in place of being handed back and cleared anew by
+/// the system each time.
+void keep_freed_memory();
 /// Memory that can still be had, bytes.
 std::size_t free_memory_bytes();
 

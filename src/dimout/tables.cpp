@@ -9,9 +9,12 @@
 #include "climate/sky_mix.hpp"
 #include "dimout/commands.hpp"
 #include "dimout/sky_option.hpp"
+#include "result/point_error.hpp"
 
 namespace dim {
 namespace {
+
+const double kUnknown = std::nan("");
 
 double chromaticity(const Vec3& xyz, int axis) {
   const double sum = xyz.x + xyz.y + xyz.z;
@@ -141,16 +144,19 @@ void TableCommands::grid() {
   if (stats_) return grid_stats(database, sets);
   std::vector<std::string> columns{"plane", "point", "x_m", "y_m", "z_m", "nx", "ny", "nz", "illuminance_lx"};
   if (daylight_factor_) columns.emplace_back("daylight_factor_percent");
+  columns.emplace_back("error_lx");
   const double outside_lx = daylight_factor_ ? horizontal_lx(database) : 0.0;
   Table table(columns_with_source(input_, columns));
   for_sources(database, input_, [&](const std::string& source, const Mix& asked) {
     const Mix mix = daylight_factor_ ? diffuse_daylight(database, asked) : asked;
     const auto lx = point_illuminance_lx(database, mix);
+    const auto errors = point_errors(database, mix);
     for (const auto& set : sets) {
       for (std::size_t p = set.first; p < set.first + set.count; ++p) {
         const Vec3 at = zone.points[p].position + zone.origin_m, n = zone.points[p].normal;
         std::vector<Table::Value> row{set.name, static_cast<long>(p - set.first), at.x, at.y, at.z, n.x, n.y, n.z, lx[p]};
         if (daylight_factor_) row.emplace_back(100.0 * lx[p] / outside_lx);
+        row.emplace_back(errors ? (*errors)[p].total_lx() : kUnknown);
         table.add(row_with_source(source, std::move(row)));
       }
     }
@@ -171,13 +177,17 @@ double TableCommands::horizontal_lx(const LuminanceDatabase& database) const {
 
 void TableCommands::grid_stats(const LuminanceDatabase& database, const std::vector<PointSet>& sets) {
   Table table(columns_with_source(
-      input_, {"plane", "points", "min_lx", "mean_lx", "max_lx", "u0", "ud", "left_out"}));
+      input_, {"plane", "points", "min_lx", "mean_lx", "max_lx", "u0", "ud", "left_out", "error_lx"}));
   for_sources(database, input_, [&](const std::string& source, const Mix& mix) {
     const auto lx = point_illuminance_lx(database, mix);
+    const auto errors = point_errors(database, mix);
     for (const auto& set : sets) {
       const auto s = grid_statistics(lx, database.zone().points, set);
       table.add(row_with_source(source, {set.name, static_cast<long>(s.n_points), s.min_lx, s.mean_lx,
-                                         s.max_lx, s.u0, s.ud, static_cast<long>(s.n_left_out)}));
+                                         s.max_lx, s.u0, s.ud, static_cast<long>(s.n_left_out),
+                                         errors && s.n_left_out < s.n_points
+                                             ? mean_error(*errors, database.zone().points, set).total_lx()
+                                             : kUnknown}));
     }
   });
   write_table(program_, table, input_);

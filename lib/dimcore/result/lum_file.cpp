@@ -28,6 +28,14 @@ const char* dataset_of(TransferPart part) {
       return "/directional/direct";
     case TransferPart::lobe_total:
       return "/directional/total";
+    case TransferPart::point_cells:
+      return "/error/point_cells";
+    case TransferPart::point_rays:
+      return "/error/point_rays";
+    case TransferPart::point_cell_rays:
+      return "/error/point_cell_rays";
+    case TransferPart::point_direct_deviation:
+      return "/error/point_direct_deviation";
   }
   throw InternalError("part of a solution of no name");
 }
@@ -40,8 +48,12 @@ Shape shape_of(const ResultContent& content, TransferPart part) {
     case TransferPart::cell_total:
       return {content.classes.size(), content.cells.size()};
     case TransferPart::point_direct:
+    case TransferPart::point_direct_deviation:
       return {content.n_direct_classes, content.zone.points.size()};
     case TransferPart::point_total:
+    case TransferPart::point_cells:
+    case TransferPart::point_rays:
+    case TransferPart::point_cell_rays:
       return {content.classes.size(), content.zone.points.size()};
     case TransferPart::lobe_direct:
     case TransferPart::lobe_total:
@@ -54,9 +66,15 @@ bool is_lobe(TransferPart part) {
   return part == TransferPart::lobe_direct || part == TransferPart::lobe_total;
 }
 
+// Not known of every solution.
+bool is_error(TransferPart part) {
+  return part == TransferPart::point_cells || part == TransferPart::point_rays ||
+         part == TransferPart::point_cell_rays || part == TransferPart::point_direct_deviation;
+}
+
 void store_transfer(Hdf5Writer& file, const ResultContent& content, const Solution& solution) {
   for (const auto part : kTransferParts) {
-    if (is_lobe(part) && content.off_specular.empty()) continue;
+    if ((is_lobe(part) || is_error(part)) && part_of(solution, part).empty()) continue;
     Shape shape = shape_of(content, part);
     shape.insert(shape.begin(), content.sources.size());
     file.dataset<float>(dataset_of(part), part_of(solution, part), shape, is_lobe(part) ? "cd/m2" : "lx",
@@ -165,6 +183,7 @@ class OnDisk : public TransferStore {
     for (const auto part : kTransferParts) {
       std::size_t n = 1;
       for (const std::size_t size : shape_of(content, part)) n *= size;
+      if (!file_.has(dataset_of(part))) n = 0;
       n_of_source_[static_cast<std::size_t>(part)] = n;
     }
   }
@@ -227,6 +246,11 @@ const FileSchema& lum_schema() {
          Allowed::not_negative, {}, true, true},
         {"/directional/direct", "float32", "sources, classes, lobe_cells, slices*sectors", "cd/m2",
          Allowed::not_negative, {}, true, true},
+        {"/error/point_cells", "float32", "sources, classes, points", "lx", Allowed::finite, {}, true, true},
+        {"/error/point_rays", "float32", "sources, classes, points", "lx", Allowed::finite, {}, true, true},
+        {"/error/point_cell_rays", "float32", "sources, classes, points", "lx", Allowed::finite, {}, true, true},
+        {"/error/point_direct_deviation", "float32", "sources, direct_classes, points", "lx", Allowed::not_negative, {},
+         true, true},
         {"/photometry/intensity", "float32", "photometries, 73, 181", "cd", Allowed::not_negative},
         {"/spectra/of_source", "uint32", "sources", "1", Allowed::index, "spectra"},
         {"/spectra/first", "uint64", "spectra+1"},

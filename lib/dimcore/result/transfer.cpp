@@ -18,6 +18,14 @@ const std::vector<float>& part_of(const Solution& solution, TransferPart part) {
       return solution.directional.direct;
     case TransferPart::lobe_total:
       return solution.directional.total;
+    case TransferPart::point_cells:
+      return solution.point_cells;
+    case TransferPart::point_rays:
+      return solution.point_rays;
+    case TransferPart::point_cell_rays:
+      return solution.point_cell_rays;
+    case TransferPart::point_direct_deviation:
+      return solution.point_direct_deviation;
   }
   throw InternalError("part of a solution of no name");
 }

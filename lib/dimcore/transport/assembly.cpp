@@ -16,17 +16,29 @@ float stored(double value) {
   return static_cast<float>(std::max(value, 0.0));
 }
 
-// Fills rows [source, class, i] from columns, each entry by `value(i, column)`.
+// Rows [source, class, i] from columns, each entry by `value(i, column)`.
 template <typename Value>
-std::vector<float> transposed(std::size_t n, std::size_t n_sources, std::size_t n_columns,
-                              const Value& value) {
+std::vector<float> rows_of(std::size_t n, std::size_t n_sources, std::size_t n_columns, const Value& value) {
   std::vector<float> rows(n * n_columns);
   const std::size_t n_classes = n_sources ? n_columns / n_sources : 0;
   tbb::parallel_for(std::size_t{0}, n_columns, [&](std::size_t row) {
     const std::size_t column = row % n_classes * n_sources + row / n_classes;
-    for (std::size_t i = 0; i < n; ++i) rows[row * n + i] = stored(value(i, column));
+    for (std::size_t i = 0; i < n; ++i) rows[row * n + i] = value(i, column);
   });
   return rows;
+}
+
+// The same of light.
+template <typename Value>
+std::vector<float> transposed(std::size_t n, std::size_t n_sources, std::size_t n_columns,
+                              const Value& value) {
+  return rows_of(n, n_sources, n_columns, [&](std::size_t i, std::size_t column) { return stored(value(i, column)); });
+}
+
+// Signed differences of points.
+std::vector<float> differences(const Columns<float>& columns, std::size_t n_sources) {
+  return rows_of(columns.n_rows(), n_sources, columns.n_columns(),
+                 [&](std::size_t i, std::size_t column) { return columns.value(i, column); });
 }
 
 // Rows [source, class, i] of the first `n_rows` of a solver's columns class * n_sources + source.
@@ -124,6 +136,10 @@ Assembly::DirectAsColumns Assembly::add_direct(const DirectColumns& direct) {
   solution_.cell_direct = rows_of_columns(columns.cell, solution_.n_cells, n_sources);
   solution_.point_direct = rows_of_columns(columns.point, solution_.n_points, n_sources);
   solution_.directional.direct = rows_of_states(direct.shine.psi, shine_.grid(), n_sources, plan_.n_columns());
+  point_direct_deviation_ =
+      transposed(solution_.n_points, n_sources, direct.n_columns, [&](std::size_t i, std::size_t column) {
+        return std::sqrt(direct.point_variance_lx2[i * direct.n_columns + column]);
+      });
   solution_.mirrors = direct.outcome;
   for (const double uncertain : direct.uncertain)
     solution_.mirrors.uncertain = std::max(solution_.mirrors.uncertain, uncertain);
@@ -141,6 +157,12 @@ void Assembly::add_total(Gathered<float> gathered, const DirectColumns& direct,
   const std::size_t n_sources = plan_.n_sources();
   solution_.cell_total = rows_of_columns(gathered.cell, solution_.n_cells, n_sources);
   solution_.point_total = rows_of_columns(gathered.point, solution_.n_points, n_sources);
+  if (gathered.point_cells.n_rows() > 0) {
+    solution_.point_cells = differences(gathered.point_cells, n_sources);
+    solution_.point_rays = differences(gathered.point_rays, n_sources);
+    solution_.point_cell_rays = differences(gathered.point_cell_rays, n_sources);
+    solution_.point_direct_deviation = std::move(point_direct_deviation_);
+  }
   solution_.directional.total = rows_of_states(gathered.psi, shine_.grid(), n_sources, plan_.n_columns());
   solution_.counters["reflections"] = static_cast<double>(gathered.counts.reflections);
   solution_.counters["link_columns"] = static_cast<double>(gathered.counts.link_columns);

@@ -45,6 +45,7 @@ class Builder {
     result_.n_columns = plan.n_direct_columns();
     result_.cell.assign(room.cells.size() * result_.n_columns, 0.0);
     result_.point.assign(room.n_points() * result_.n_columns, 0.0);
+    result_.point_variance_lx2.assign(result_.point.size(), 0.0);
     result_.outcome.depth.assign(room.n_luminaires(), 0);
     result_.outcome.rays_cut_off = shine.cut_off();
     result_.uncertain.assign(plan.n_columns(), 0.0);
@@ -108,6 +109,9 @@ class Builder {
         [&](std::size_t p, std::size_t e, const DirectEstimate& direct) {
           own_point_lx_[p * n_luminaires() + e] = direct.lx;
           add(&result_.point[p * result_.n_columns], own.sources[e], room_.zone.points[p].position, direct.lx);
+          // Luminaires have no mirrors before them: no tints.
+          for (std::size_t c = plan_.source_of[e]; c < result_.n_columns; c += plan_.n_sources())
+            result_.point_variance_lx2[p * result_.n_columns + c] += direct.variance_lx2;
         },
         job);
   }

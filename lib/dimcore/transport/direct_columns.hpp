@@ -22,6 +22,7 @@ struct DirectColumns {
   std::vector<double> cell;   ///< [n_cells, n_columns] lx, of luminaires and their images
   std::vector<double> followed;  ///< the same of what rays carried on from the last images; empty without any
   std::vector<double> point;     ///< [n_points, n_columns], deeper images extrapolated
+  std::vector<double> point_variance_lx2;  ///< [n_points, n_columns] of what lines past obstacles have found
   DirectShine shine;             ///< over all n_sources * n_classes columns
   std::vector<float> followed_psi;  ///< as shine.psi, of what rays carried on; empty without any
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
+#include "transport/cell_smoothing.hpp"
 #include "transport/conjugate_residuals.hpp"
 #include "transport/contraction.hpp"
 #include "transport/gather_kernel.hpp"
@@ -17,6 +19,10 @@ constexpr double kCycleGoal = 0.5;
 constexpr double kCycleGainWithLobes = 0.1;
 // A cycle that leaves more of the residual than this has gained nothing.
 constexpr double kNoGain = 0.9;
+// Of what twice as large cells change, the share that the cells' own size is taken to have done; and reflections
+// that this change is followed through.
+constexpr double kOfTwiceTheSize = 0.5;
+constexpr int kChangeReflections = 1;
 
 // What all blocks of columns have in common.
 template <class Real>
@@ -29,6 +35,7 @@ struct Setting {
   const GatherShine* shine;
   Contraction contraction;
   std::vector<double> lost_m2;
+  std::optional<CellSmoothing> smoothing;  // nothing where the cells' size is not corrected
 };
 
 // The columns [first, first + n) of the setting.
@@ -69,7 +76,9 @@ class Block {
       if (auto* shine = propagation_.shine()) lobes = shine->reflect(propagation_.emit(irradiance_));
       if (any(Stage::finishing)) finish(lobes);
     }
-    if (!setting_.shine) copy_points();
+    if (setting_.smoothing) correct_cell_size();
+    if (!setting_.shine || setting_.smoothing) copy_points();
+    compare_rays();
   }
 
  private:
@@ -221,8 +230,64 @@ class Block {
   }
 
   void copy_points() {
-    const auto arriving = propagation_.to_points(irradiance_);
+    auto arriving = propagation_.to_points(irradiance_);
+    if (setting_.smoothing) correct_points(arriving);
     for (std::size_t c = 0; c < n_; ++c) copy_points(c, arriving);
+  }
+
+  // By what the light of cells about twice as large would be another: x = A(D(E + x) + x), D what smoothing
+  // changes and A a reflection. What such cells send otherwise is kept for the points.
+  void correct_cell_size() {
+    std::vector<double> change(irradiance_.size(), 0.0), light(irradiance_.size());
+    for (int k = 0; k <= kChangeReflections; ++k) {
+      sums_.each([&](std::size_t i) {
+        for (std::size_t at = i * width_; at < (i + 1) * width_; ++at) light[at] = irradiance_[at] + change[at];
+      });
+      setting_.smoothing->change(light, width_, sent_change_);
+      sums_.each([&](std::size_t i) {
+        for (std::size_t at = i * width_; at < (i + 1) * width_; ++at) sent_change_[at] += change[at];
+      });
+      if (k < kChangeReflections) propagation_.reflect_change(sent_change_, change);
+    }
+    count(kChangeReflections);
+    for (std::size_t c = 0; c < n_; ++c) {
+      const auto column = result_.cell.column(first_ + c);
+      for (std::size_t i = 0; i < cells_.size(); ++i) {
+        const double light_lx = irradiance_[i * width_ + c] - kOfTwiceTheSize * change[i * width_ + c];
+        column[i] = static_cast<Real>(std::max(light_lx, std::min(direct(i, c), irradiance_[i * width_ + c])));
+      }
+    }
+  }
+
+  void correct_points(std::vector<double>& arriving) {
+    const auto change = propagation_.to_points(sent_change_);
+    for (std::size_t c = 0; c < n_; ++c) {
+      const auto column = result_.point_cells.column(first_ + c);
+      for (std::size_t p = 0; p < result_.point.n_rows(); ++p) {
+        const double correction = std::max(-kOfTwiceTheSize * change[p * width_ + c], -arriving[p * width_ + c]);
+        arriving[p * width_ + c] += correction;
+        column[p] = static_cast<Real>(correction);
+      }
+    }
+  }
+
+  // With every other ray, of the points and of the cells that they see.
+  void compare_rays() {
+    copy_differences(propagation_.to_points_by_half(irradiance_), result_.point_rays);
+    if (setting_.contraction.in_flux) return;
+    std::vector<double> less;
+    propagation_.reflect_by_half(irradiance_, less);
+    sums_.each([&](std::size_t i) {
+      for (std::size_t c = 0; c < width_; ++c) less[i * width_ + c] -= irradiance_[i * width_ + c] - direct(i, c);
+    });
+    copy_differences(propagation_.to_points(less), result_.point_cell_rays);
+  }
+
+  void copy_differences(const std::vector<double>& from, Columns<Real>& to) const {
+    for (std::size_t c = 0; c < n_; ++c) {
+      const auto column = to.column(first_ + c);
+      for (std::size_t p = 0; p < to.n_rows(); ++p) column[p] = static_cast<Real>(from[p * width_ + c]);
+    }
   }
 
   // Lobes of columns that have finished change with those that have not: taken now.
@@ -245,6 +310,7 @@ class Block {
   const CellSums& sums_;
   ConjugateResiduals cycle_;
   std::vector<double> irradiance_, residual_;  // [n_cells, width]
+  std::vector<double> sent_change_;            // [n_cells, width] of irradiance that twice as large cells send
   std::vector<Column> columns_;                // [width]
 };
 
@@ -257,17 +323,25 @@ Gathered<Real> gather(const Network& network, const Cells& cells, const Columns<
   const std::size_t n_columns = reflectances.n_columns();
   Gathered<Real> result;
   result.cell = Columns<Real>(cells.size(), n_columns);
-  result.point = Columns<Real>(network.point_sinks.n_rows(), n_columns);
+  const std::size_t n_points = network.point_sinks.n_rows();
+  result.point = Columns<Real>(n_points, n_columns);
+  result.point_rays = Columns<Real>(n_points, n_columns);
   result.columns.resize(n_columns);
   if (shine) result.psi.resize(shine->shine.n_states() * n_columns);
-  const Setting<Real> setting{network,
+  Setting<Real> setting{network,
                               cells,
                               direct,
                               point_direct,
                               reflectances,
                               shine,
                               contraction(network, cells, reflectances, shine),
-                              lost_by_cells(network, cells)};
+                              lost_by_cells(network, cells),
+                              {}};
+  if (!setting.contraction.in_flux) result.point_cell_rays = Columns<Real>(n_points, n_columns);
+  if (options.corrects_cell_size && !setting.contraction.in_flux) {
+    setting.smoothing.emplace(cells);
+    result.point_cells = Columns<Real>(n_points, n_columns);
+  }
   // Off-specular cells hold a value a patch for every column.
   const std::size_t block_columns = setting.contraction.in_flux ? kColumnsPerLane : kMaxColumns;
   for (std::size_t first = 0; first < n_columns; first += block_columns) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "network/half_of_rays.hpp"
 #include "transport/gather_kernel.hpp"
 
 namespace dim {
@@ -46,6 +47,10 @@ const std::vector<double>& Propagation::emit(const std::vector<double>& irradian
 void Propagation::reflect(const std::vector<double>& irradiance, std::vector<double>& arriving) {
   emit(irradiance);
   send(arriving);
+  scale_rows(arriving);
+}
+
+void Propagation::scale_rows(std::vector<double>& arriving) const {
   sums_.each([&](std::size_t i) {
     double* sums = &arriving[i * width_];
     for (std::size_t c = 0; c < width_; ++c) sums[c] *= network_.row_scale[i];
@@ -53,34 +58,82 @@ void Propagation::reflect(const std::vector<double>& irradiance, std::vector<dou
 }
 
 void Propagation::send(const std::vector<float>& exitance, std::vector<double>& arriving) {
+  along_rows(exitance, arriving);
+  if (!shine_) return;
   std::copy(exitance.begin(), exitance.end(), exitance_.begin());
-  send(arriving);
+  shine_->add_to_cells(exitance_, arriving);
+}
+
+template <class Real>
+void Propagation::along_rows(const std::vector<Real>& exitance, std::vector<double>& arriving) const {
+  arriving.resize(exitance.size() - width_);
+  sums_.runs([&](std::size_t first, std::size_t last) {
+    gather_rows(network_.sinks, network_.patches, network_.has_family() ? &network_.extra : nullptr,
+                exitance.data(), width_, first, last, &arriving[first * width_]);
+  });
 }
 
 void Propagation::send(std::vector<double>& arriving) {
-  arriving.resize(exitance_.size() - width_);
-  sums_.runs([&](std::size_t first, std::size_t last) {
-    gather_rows(network_.sinks, network_.patches, network_.has_family() ? &network_.extra : nullptr,
-                exitance_.data(), width_, first, last, &arriving[first * width_]);
-  });
+  along_rows(exitance_, arriving);
   if (shine_) shine_->add_to_cells(exitance_, arriving);
 }
 
-std::vector<double> Propagation::to_points(const std::vector<double>& irradiance) {
+std::vector<float> Propagation::emit_single(const std::vector<double>& irradiance) {
   emit(irradiance);
-  // Points have rows of their own, which the column scales do not belong to.
+  return {exitance_.begin(), exitance_.end()};
+}
+
+void Propagation::reflect_change(const std::vector<double>& change, std::vector<double>& arriving) {
+  send(emit_single(change), arriving);
+  scale_rows(arriving);
+}
+
+void Propagation::reflect_by_half(const std::vector<double>& irradiance, std::vector<double>& arriving) {
+  const auto exitance = emit_single(irradiance);
+  arriving.resize(exitance_.size() - width_);
+  const std::size_t n_cells = arriving.size() / width_;
+  sums_.runs([&](std::size_t first, std::size_t last) {
+    const SinkTable sinks = half_of_rays(network_.sinks, network_.patches, n_cells, first, last);
+    gather_rows(sinks, half_of(network_.patches), nullptr, exitance.data(), width_, 0, last - first,
+                &arriving[first * width_]);
+  });
+  if (shine_) shine_->add_to_cells(exitance_, arriving);
+  scale_rows(arriving);
+}
+
+// Points have rows of their own, which the column scales do not belong to.
+void Propagation::emit_to_points(const std::vector<double>& irradiance) {
+  emit(irradiance);
   sums_.each([&](std::size_t i) {
     double* exitance = &exitance_[i * width_];
     for (std::size_t c = 0; c < width_; ++c) exitance[c] /= network_.column_scale[i];
   });
-  const std::size_t n_points = network_.point_sinks.n_rows();
-  std::vector<double> arriving(n_points * width_);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n_points, 16), [&](const auto& rows) {
-    gather_rows(network_.point_sinks, network_.point_patches, nullptr, exitance_.data(), width_, rows.begin(),
-                rows.end(), &arriving[rows.begin() * width_]);
+}
+
+std::vector<double> Propagation::along(const SinkTable& sinks, const PatchGrid& patches) const {
+  std::vector<double> arriving(sinks.n_rows() * width_);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, sinks.n_rows(), 16), [&](const auto& rows) {
+    gather_rows(sinks, patches, nullptr, exitance_.data(), width_, rows.begin(), rows.end(),
+                &arriving[rows.begin() * width_]);
   });
+  return arriving;
+}
+
+std::vector<double> Propagation::to_points(const std::vector<double>& irradiance) {
+  emit_to_points(irradiance);
+  auto arriving = along(network_.point_sinks, network_.point_patches);
   if (shine_) shine_->add_to_points(exitance_, arriving);
   return arriving;
+}
+
+std::vector<double> Propagation::to_points_by_half(const std::vector<double>& irradiance) {
+  emit_to_points(irradiance);
+  const auto& sinks = network_.point_sinks;
+  auto less = along(half_of_rays(sinks, network_.point_patches, exitance_.size() / width_ - 1, 0, sinks.n_rows()),
+                    half_of(network_.point_patches));
+  const auto all = along(sinks, network_.point_patches);
+  for (std::size_t k = 0; k < less.size(); ++k) less[k] -= all[k];
+  return less;
 }
 
 }  // namespace dim

@@ -38,6 +38,10 @@ struct Solution {
   std::size_t n_direct_classes = 1;  ///< 1 where no mirror colours direct light, else that of all classes
   std::vector<float> cell_direct, cell_total;
   std::vector<float> point_direct, point_total;
+  /// What is known of the errors of point_total, as `Gathered` has them; all empty where one part is not
+  /// known (tracked; lobes).
+  std::vector<float> point_cells, point_rays, point_cell_rays;
+  std::vector<float> point_direct_deviation;  ///< standard deviation of point_direct
   Directional directional;
   std::optional<SkyRecord> sky;
   ModelPlan plan;

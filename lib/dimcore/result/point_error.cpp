@@ -1,0 +1,89 @@
+#include "result/point_error.hpp"
+
+#include <cmath>
+
+namespace dim {
+namespace {
+
+// Adds factor times what a source's part holds by class, weighted as its light is.
+bool add_part(const LuminanceDatabase& database, TransferPart part, std::size_t source, double factor,
+              std::vector<double>& to) {
+  const auto values = database.transfer(part, source);
+  if (values.size() < to.size()) return to.empty();
+  const auto xyz = database.sources()[source].xyz_by_class(database.classes());
+  // Direct light that no mirror colours is the same in all classes.
+  const std::size_t n_stored = to.empty() ? 1 : values.size() / to.size();
+  for (std::size_t q = 0; q < xyz.size(); ++q) {
+    for (std::size_t p = 0; p < to.size(); ++p)
+      to[p] += factor * xyz[q].y * static_cast<double>(values[q % n_stored * to.size() + p]);
+  }
+  return true;
+}
+
+// One lucky pair of halves does not make an error of zero: half of the square is that of the others of its set.
+void pool(const Zone& zone, const std::vector<double>& lx, double PointError::*part, std::vector<PointError>& errors) {
+  const auto square = [](double x) { return x * x; };
+  for (const auto& set : zone.point_sets) {
+    double squares = 0.0, n = 0.0;
+    for (std::size_t p = set.first; p < set.first + set.count; ++p) {
+      if (!(lx[p] > 0.0)) continue;
+      squares += square(errors[p].*part / lx[p]);
+      n += 1.0;
+    }
+    for (std::size_t p = set.first; p < set.first + set.count && n > 0.0; ++p)
+      errors[p].*part = std::sqrt(0.5 * (square(errors[p].*part) + squares / n * square(lx[p])));
+  }
+}
+
+}  // namespace
+
+double PointError::total_lx() const {
+  constexpr double kOfCells = 0.8;
+  return bound_lx + 2.0 * std::sqrt(kOfCells * cells_lx * cells_lx + rays_lx * rays_lx + cell_rays_lx * cell_rays_lx +
+                                    direct_lx * direct_lx);
+}
+
+std::optional<std::vector<PointError>> point_errors(const LuminanceDatabase& database, const Mix& mix) {
+  const std::size_t n = database.zone().points.size();
+  std::vector<double> cells(n, 0.0), rays(n, 0.0), cell_rays(n, 0.0), direct_squares(n, 0.0), bound(n, 0.0);
+  for (std::size_t s = 0; s < mix.size(); ++s) {
+    if (mix[s] == 0.0) continue;
+    std::vector<double> direct(n, 0.0), lx(n, 0.0);
+    if (!add_part(database, TransferPart::point_cells, s, mix[s], cells) ||
+        !add_part(database, TransferPart::point_rays, s, mix[s], rays) ||
+        !add_part(database, TransferPart::point_cell_rays, s, mix[s], cell_rays) ||
+        !add_part(database, TransferPart::point_direct_deviation, s, mix[s], direct))
+      return std::nullopt;
+    add_part(database, TransferPart::point_total, s, mix[s], lx);
+    for (std::size_t p = 0; p < n; ++p) {
+      direct_squares[p] += direct[p] * direct[p];
+      bound[p] += database.sources()[s].error_bound * lx[p];
+    }
+  }
+  std::vector<PointError> errors(n);
+  for (std::size_t p = 0; p < n; ++p)
+    errors[p] = {std::abs(cells[p]), std::abs(rays[p]), std::abs(cell_rays[p]), std::sqrt(direct_squares[p]), bound[p]};
+  const auto lx = point_illuminance_lx(database, mix);
+  pool(database.zone(), lx, &PointError::rays_lx, errors);
+  pool(database.zone(), lx, &PointError::cell_rays_lx, errors);
+  return errors;
+}
+
+PointError mean_error(const std::vector<PointError>& errors, const std::vector<MeasuringPoint>& points,
+                      const PointSet& set) {
+  PointError mean;
+  double n = 0.0;
+  for (std::size_t p = set.first; p < set.first + set.count; ++p) {
+    if (!points[p].valid) continue;
+    mean.cells_lx += errors[p].cells_lx;
+    mean.cell_rays_lx += errors[p].cell_rays_lx;
+    mean.rays_lx += errors[p].rays_lx * errors[p].rays_lx;
+    mean.direct_lx += errors[p].direct_lx * errors[p].direct_lx;
+    mean.bound_lx += errors[p].bound_lx;
+    n += 1.0;
+  }
+  if (n == 0.0) return mean;
+  return {mean.cells_lx / n, std::sqrt(mean.rays_lx) / n, mean.cell_rays_lx / n, std::sqrt(mean.direct_lx) / n, mean.bound_lx / n};
+}
+
+}  // namespace dim

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "result/luminous.hpp"
+
+namespace dim {
+
+/// How far the illuminance of a measuring point may be from the model's own, lx, by where that comes from. Photometry,
+/// reflectances and geometry count as given.
+struct PointError {
+  double cells_lx = 0.0;   ///< estimate: the correction for the cells' size itself
+  double rays_lx = 0.0;    ///< estimate: half the difference of two halves of the point's rays, with its plane's mean
+  double cell_rays_lx = 0.0;  ///< estimate: the same of the rays of the cells that it sees
+  double direct_lx = 0.0;  ///< estimate: standard deviation of the visible shares of direct light
+  double bound_lx = 0.0;   ///< bound: inter-reflection that is left out
+
+  /// What the error does not exceed at about 95 % of points: the bound, and twice the root of the estimates' squares.
+  /// That of cells counts 0.8, so that it covers what the correction leaves in the rooms of
+  /// docs/accuracy-and-speed.md.
+  double total_lx() const;
+};
+
+/// Of all measuring points, sources mixed. Differences of cells and of rays are common to all sources and mix as light
+/// does; direct light is found for each source apart.
+/// @returns [n_points]; nothing where the solution does not know (`--solver track`, off-specular surfaces)
+std::optional<std::vector<PointError>> point_errors(const LuminanceDatabase& database, const Mix& mix);
+
+/// Of the mean of a set's valid points: rays and direct light of points are apart, all else they have in common.
+PointError mean_error(const std::vector<PointError>& errors, const std::vector<MeasuringPoint>& points,
+                      const PointSet& set);
+
+}  // namespace dim
