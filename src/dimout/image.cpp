@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -49,6 +50,10 @@ std::string tone_words(const PictureOptions& picture, const PictureReport& repor
                         report.automatic_exposure ? " (automatic, highlights rolled off)" : "");
   return fmt::format("{} x {}, {}; {} pixels brighter, {} outside the display's colours", report.width,
                      report.height, exposure, report.n_above_white, report.n_out_of_gamut);
+}
+
+bool is_black(const Raster& raster) {
+  return std::none_of(raster.xyz.begin(), raster.xyz.end(), [](float value) { return value > 0.0F; });
 }
 
 }  // namespace
@@ -147,6 +152,10 @@ void ImageCommand::render() {
   program_.stage("render");
   const Mix mix = mix_of(database, input_);
   const Raster raster = render_view(database, cells, mix, options, program_.job());
+  if (is_black(raster))
+    program_.warn({{{},
+                    fmt::format("view '{}' shows no light at all: the picture is black", options.view.name),
+                    "check where its eye stands and looks (dimdis check), and --mix"}});
   picture.linear.scene_white_xyz = scene_white(database, mix);
   program_.stage(kWritingStage);
   const auto report =
