@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <future>
 
 #include "base/version.hpp"
 #include "common/in_file.hpp"
 #include "common/option_checks.hpp"
 #include "dimout/commands.hpp"
+#include "image/picture_module.hpp"
 #include "image/render.hpp"
 #include "image/writer.hpp"
 
@@ -149,6 +151,9 @@ void ImageCommand::render() {
       shade_ == "cell" ? Shading::cell : (shade_ == "smooth" ? Shading::smooth : Shading::gather);
   options.scalar = quantity_ == "illuminance" ? ScalarQuantity::illuminance : ScalarQuantity::luminance;
   options.spectral = spectral_;
+  // Hundreds of libraries come with it: they are loaded while the picture is drawn, and stay.
+  const std::string library_dir = executable_folder() + "/../lib/dim";
+  auto loaded = std::async(std::launch::async, [&] { const PictureModule module(library_dir); });
   program_.stage("render");
   const Mix mix = mix_of(database, input_);
   const Raster raster = render_view(database, cells, mix, options, program_.job());
@@ -158,8 +163,8 @@ void ImageCommand::render() {
                     "check where its eye stands and looks (dimdis check), and --mix"}});
   picture.linear.scene_white_xyz = scene_white(database, mix);
   program_.stage(kWritingStage);
-  const auto report =
-      write_picture(executable_folder() + "/../lib/dim", input_.output, raster, picture, program_.job());
+  loaded.get();
+  const auto report = write_picture(library_dir, input_.output, raster, picture, program_.job());
   program_.stage("");
   program_.warn(report.warnings);
   if (*format == PictureFormat::png && picture.tone != Tone::false_colour)
