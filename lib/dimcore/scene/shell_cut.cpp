@@ -48,6 +48,13 @@ Ring3 ring_behind(const std::vector<Vec3>& section, const Frame& plane, double t
   return ring;
 }
 
+/// Not a sliver that leaves nothing to close.
+bool is_wide(const Ring3& ring, double touch_m) {
+  double around_m = 0.0;
+  for (std::size_t i = 0; i < ring.size(); ++i) around_m += glm::length(ring[(i + 1) % ring.size()] - ring[i]);
+  return glm::length(newell(ring)) > touch_m * around_m;
+}
+
 /// A square of the polygon's plane on the front side of another plane, larger than the polygon.
 Region2 front_half(const Polygon& polygon, const Frame& plane) {
   const Frame& frame = polygon.frame();
@@ -126,7 +133,8 @@ void cut_at_shell(std::vector<Surface>& surfaces, std::vector<SurfaceLink>& link
     const Frame& plane = whole[cut.wall].polygon.frame();
     for (const std::size_t i : surfaces_of(surfaces, cut.body)) clip_behind(surfaces[i].polygon, plane, touch_m);
     if (cut.body.n == 1) continue;
-    close_box(surfaces, links, cut.body, ring_behind(section(whole, cut.body, plane, touch_m), plane, touch_m));
+    const Ring3 end = ring_behind(section(whole, cut.body, plane, touch_m), plane, touch_m);
+    if (is_wide(end, touch_m)) close_box(surfaces, links, cut.body, end);
   }
 }
 
