@@ -292,6 +292,16 @@ near() { awk -v a="$1" -v b="$2" 'BEGIN { d = a - b; if (d < 0) d = -d; exit !(d
   dimout info coarse.lum > /dev/null
 }
 
+@test "a wide bound of the error ends with status 1 and its cure" {
+  sed 's/{ diffuse = 0.2 }/0.99/; s/"paint-white-matt"/0.99/; s/"wood-beech"/0.99/' room.zone.toml > bright.zone.toml
+  dimdis bright.zone.toml -q -o bright.rays
+  run --separate-stderr dimray bright.rays room.lights.toml -o bright.lum
+  echo "$stderr"
+  [ "$status" -eq 1 ]
+  [[ "$stderr" == *"that is more than 1 %: surfaces reflect nearly all light; use a smaller --tolerance"* ]]
+  dimray bright.rays room.lights.toml -q --tolerance 1e-5 -o bright.lum
+}
+
 @test "check says what is in a zone and where it is not closed" {
   run --separate-stderr dimdis check room.zone.toml
   [ "$status" -eq 0 ]

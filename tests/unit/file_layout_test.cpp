@@ -253,7 +253,7 @@ TEST_CASE("Damage in HDF5's own structures is refused in words", "[base][unit]")
         files_test::seal(path);
         CAPTURE(block, at, byte);
         try {
-          load_lum(path);  // what is not damaged by it is read
+          load_lum(path, Job{});  // what is not damaged by it is read
         } catch (const IoError&) {
         } catch (const LimitError&) {
         }
