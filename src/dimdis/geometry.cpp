@@ -11,6 +11,8 @@
 #include "geometry/hidden_lines.hpp"
 #include "geometry/view_factors.hpp"
 #include "network/cells.hpp"
+#include "network/point_places.hpp"
+#include "scene/inside_test.hpp"
 #include "scene/zone_reader.hpp"
 
 namespace dim {
@@ -54,7 +56,10 @@ bool GeometryCommands::run(Exit& status) {
 }
 
 Exit GeometryCommands::check() {
-  const Zone zone = read_zone(program_, input_);
+  Zone zone = read_zone(program_, input_);
+  const InsideTest test(plates_of(zone), zone.diameter_m, zone.closed);
+  for (auto& point : zone.points) point.valid = !test.outside(point);
+  warn(program_, input_, left_out_warnings(zone));
   const Cells cells(zone);
   program_.say(fmt::format("zone '{}' is good: {}, {}, {}, {}, {}", zone.name,
                            counted(zone.surfaces.size(), "surface"), counted(cells.size(), "cell"),

@@ -58,7 +58,7 @@ AnnualCommand::AnnualCommand(Program& program) : program_(program) {
   annual_ = add_daylight_command(program, input_, "annual", "A year of daylight at the measuring points",
                                  "dimout annual room.lum --weather denver.epw --stats", true);
   annual_->add_flag("--json", input_.database.json, "JSON in place of CSV");
-  annual_->add_option("--plane", plane_, "Only this measuring plane or sensor group")->type_name("NAME");
+  add_plane_option(*annual_, planes_);
   annual_->add_flag("--stats", stats_, "Each plane as a whole: sDA, ASE, EN 17037");
   annual_->add_option("--target", target_lx_, "Illuminance of daylight autonomy, lx")
       ->type_name("LX")
@@ -103,7 +103,7 @@ bool AnnualCommand::run() {
   times.daylight = daylight_steps(sky);
   program_.stage("year");
   Year year;
-  year.sets = chosen_sets(room.database.zone(), plane_, input_.database.path);
+  year.sets = chosen_sets(room.database.zone(), planes_, input_.database.path);
   annual_illuminance(
       sky, room.coefficients, room.sun,
       [&](const PointBlock& block) {

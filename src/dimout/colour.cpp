@@ -23,8 +23,7 @@ ColourCommand::ColourCommand(Program& program) : program_(program) {
                         "Colour temperature, Ra and melanopic effect of the light at points or on surfaces",
                         "dimout colour office.lum --plane workplane\n  dimout colour office.lum --surfaces");
   add_table_options(*colour_, input_, true);
-  auto* plane =
-      colour_->add_option("--plane", plane_, "Only this measuring plane or sensor group")->type_name("NAME");
+  auto* plane = add_plane_option(*colour_, planes_);
   colour_->add_flag("--surfaces", surfaces_, "Light falling on each surface, in place of measuring points")
       ->excludes(plane);
 }
@@ -44,7 +43,7 @@ bool ColourCommand::run() {
 
 void ColourCommand::points(const LuminanceDatabase& database, const LightColours& colours) {
   const Zone& zone = database.zone();
-  const auto sets = chosen_sets(zone, plane_, input_.path);
+  const auto sets = chosen_sets(zone, planes_, input_.path);
   if (sets.empty()) program_.say("the zone has no measuring planes or sensors; see --surfaces");
   Table table(
       columns_with_source(input_, with_figures({"plane", "point", "x_m", "y_m", "z_m", "illuminance_lx"})));

@@ -19,7 +19,7 @@ class ColourCommand {
 
   Program& program_;
   DatabaseInput input_;
-  std::string plane_;
+  std::vector<std::string> planes_;
   bool surfaces_ = false;
   CLI::App* colour_;
 };

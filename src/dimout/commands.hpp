@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/program.hpp"
+#include "result/point_error.hpp"
 #include "common/table.hpp"
 #include "image/writer.hpp"
 #include "result/luminous.hpp"
@@ -47,9 +48,12 @@ std::vector<std::string> columns_with_source(const DatabaseInput& input, std::ve
 /// A row of such a table: the source in front where there is one.
 std::vector<Table::Value> row_with_source(const std::string& source, std::vector<Table::Value> values);
 
-/// The measuring planes and sensors of that name; all for an empty one.
+/// --plane, repeatable.
+CLI::Option* add_plane_option(CLI::App& command, std::vector<std::string>& planes);
+
+/// The measuring planes and sensors of those names, in their order; all where none is named.
 /// @throws InputError  no such name, about the file of that path
-std::vector<PointSet> chosen_sets(const Zone& zone, const std::string& name, const std::string& path);
+std::vector<PointSet> chosen_sets(const Zone& zone, const std::vector<std::string>& names, const std::string& path);
 
 /// info, surfaces, cells and grid.
 class TableCommands {
@@ -65,11 +69,13 @@ class TableCommands {
   void grid();
   void grid_stats(const LuminanceDatabase& database, const std::vector<PointSet>& sets);
   double horizontal_lx(const LuminanceDatabase& database) const;
+  double stated_lx(const PointError& error) const;
 
   Program& program_;
   DatabaseInput input_;
-  std::string plane_;
+  std::vector<std::string> planes_;
   bool stats_ = false;
+  bool direct_ = false;
   bool daylight_factor_ = false;
   CLI::App *info_, *surfaces_, *cells_, *grid_;
 };

@@ -50,7 +50,7 @@ class AnnualCommand {
 
   Program& program_;
   DaylightInput input_;
-  std::string plane_;
+  std::vector<std::string> planes_;
   std::string hours_ = "08:00-18:00";
   std::string presence_;
   std::string summer_time_;

@@ -1,12 +1,15 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <future>
 
 #include "base/version.hpp"
 #include "common/in_file.hpp"
 #include "common/option_checks.hpp"
 #include "dimout/commands.hpp"
+#include "image/picture_module.hpp"
 #include "image/render.hpp"
 #include "image/writer.hpp"
 
@@ -49,6 +52,10 @@ std::string tone_words(const PictureOptions& picture, const PictureReport& repor
                         report.automatic_exposure ? " (automatic, highlights rolled off)" : "");
   return fmt::format("{} x {}, {}; {} pixels brighter, {} outside the display's colours", report.width,
                      report.height, exposure, report.n_above_white, report.n_out_of_gamut);
+}
+
+bool is_black(const Raster& raster) {
+  return std::none_of(raster.xyz.begin(), raster.xyz.end(), [](float value) { return value > 0.0F; });
 }
 
 }  // namespace
@@ -144,13 +151,20 @@ void ImageCommand::render() {
       shade_ == "cell" ? Shading::cell : (shade_ == "smooth" ? Shading::smooth : Shading::gather);
   options.scalar = quantity_ == "illuminance" ? ScalarQuantity::illuminance : ScalarQuantity::luminance;
   options.spectral = spectral_;
+  // Hundreds of libraries come with it: they are loaded while the picture is drawn, and stay.
+  const std::string library_dir = executable_folder() + "/../lib/dim";
+  auto loaded = std::async(std::launch::async, [&] { const PictureModule module(library_dir); });
   program_.stage("render");
   const Mix mix = mix_of(database, input_);
   const Raster raster = render_view(database, cells, mix, options, program_.job());
+  if (is_black(raster))
+    program_.warn({{{},
+                    fmt::format("view '{}' shows no light at all: the picture is black", options.view.name),
+                    "check where its eye stands and looks (dimdis check), and --mix"}});
   picture.linear.scene_white_xyz = scene_white(database, mix);
   program_.stage(kWritingStage);
-  const auto report =
-      write_picture(executable_folder() + "/../lib/dim", input_.output, raster, picture, program_.job());
+  loaded.get();
+  const auto report = write_picture(library_dir, input_.output, raster, picture, program_.job());
   program_.stage("");
   program_.warn(report.warnings);
   if (*format == PictureFormat::png && picture.tone != Tone::false_colour)

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "base/atomic_file.hpp"
 #include "base/input_file.hpp"
 #include "climate/sky_mix.hpp"
@@ -131,14 +133,27 @@ std::vector<Table::Value> row_with_source(const std::string& source, std::vector
   return values;
 }
 
-std::vector<PointSet> chosen_sets(const Zone& zone, const std::string& name, const std::string& path) {
-  if (name.empty()) return zone.point_sets;
-  std::vector<std::string> names;
-  for (const auto& set : zone.point_sets) {
-    if (set.name == name) return {set};
-    names.push_back(set.name);
+CLI::Option* add_plane_option(CLI::App& command, std::vector<std::string>& planes) {
+  return command.add_option("--plane", planes, "Only this measuring plane or sensor group; repeatable")
+      ->type_name("NAME")
+      ->allow_extra_args(false)
+      ->default_str("");
+}
+
+std::vector<PointSet> chosen_sets(const Zone& zone, const std::vector<std::string>& names, const std::string& path) {
+  if (names.empty()) return zone.point_sets;
+  std::vector<PointSet> chosen;
+  for (const auto& name : names) {
+    const auto set = std::find_if(zone.point_sets.begin(), zone.point_sets.end(),
+                                  [&](const PointSet& other) { return other.name == name; });
+    if (set == zone.point_sets.end()) {
+      std::vector<std::string> known;
+      for (const auto& other : zone.point_sets) known.push_back(other.name);
+      throw InputError({{path, 0, 0}, "no measuring plane or sensors '" + name + "'", name_cure(name, known)});
+    }
+    chosen.push_back(*set);
   }
-  throw InputError({{path, 0, 0}, "no measuring plane or sensors '" + name + "'", name_cure(name, names)});
+  return chosen;
 }
 
 std::vector<std::string> columns_with_source(const DatabaseInput& input, std::vector<std::string> columns) {

@@ -9,7 +9,6 @@
 #include "climate/sky_mix.hpp"
 #include "dimout/commands.hpp"
 #include "dimout/sky_option.hpp"
-#include "result/point_error.hpp"
 
 namespace dim {
 namespace {
@@ -41,15 +40,17 @@ TableCommands::TableCommands(Program& program) : program_(program) {
   add_table_options(*surfaces_, input_, true);
   cells_ = add_command(program, input_, "cells", "Illuminance and luminance of every cell",
                        "dimout cells office.lum");
-  add_table_options(*cells_, input_, false);
+  add_table_options(*cells_, input_, true);
   grid_ = add_command(program, input_, "grid", "Illuminance at the measuring points",
                       "dimout grid office.lum --plane workplane --stats");
   add_table_options(*grid_, input_, true);
-  grid_->add_option("--plane", plane_, "Only this measuring plane or sensor group")->type_name("NAME");
+  add_plane_option(*grid_, planes_);
   auto* factor = grid_->add_flag("--daylight-factor", daylight_factor_,
                                  "Daylight over the illuminance outside, %, in a column of its own: luminaires and the "
                                  "sun's beam left out; coefficients under a CIE overcast sky unless --sky says another");
   grid_->add_flag("--stats", stats_, "Minimum, mean, maximum and uniformity of each plane")->excludes(factor);
+  grid_->add_flag("--direct", direct_, "Light before any reflection but that of mirrors, as for emergency lighting")
+      ->excludes(factor);
 }
 
 bool TableCommands::run() {
@@ -123,14 +124,17 @@ void TableCommands::cells() {
   const LuminanceDatabase database = open_database(program_, input_);
   const Zone& zone = database.zone();
   const Cells& cells = database.cells();
-  const auto appearance = cell_appearance(database, cells, mix_of(database, input_));
-  Table table({"surface", "cell", "x_m", "y_m", "z_m", "area_m2", "illuminance_lx", "luminance_cd_m2"});
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const std::size_t s = cells.surface_of(i);
-    const Vec3 p = zone.surfaces[s].polygon.frame().to_world(cells[i].centroid) + zone.origin_m;
-    table.add({zone.surfaces[s].name, static_cast<long>(i - cells.first(s)), p.x, p.y, p.z, cells.area_m2(i),
-               appearance.illuminance_lx[i], appearance.xyz_cd_m2[i].y});
-  }
+  Table table(columns_with_source(
+      input_, {"surface", "cell", "x_m", "y_m", "z_m", "area_m2", "illuminance_lx", "luminance_cd_m2"}));
+  for_sources(database, input_, [&](const std::string& source, const Mix& mix) {
+    const auto appearance = cell_appearance(database, cells, mix);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const std::size_t s = cells.surface_of(i);
+      const Vec3 p = zone.surfaces[s].polygon.frame().to_world(cells[i].centroid) + zone.origin_m;
+      table.add(row_with_source(source, {zone.surfaces[s].name, static_cast<long>(i - cells.first(s)), p.x, p.y, p.z,
+                                         cells.area_m2(i), appearance.illuminance_lx[i], appearance.xyz_cd_m2[i].y}));
+    }
+  });
   write_table(program_, table, input_);
 }
 
@@ -139,7 +143,7 @@ void TableCommands::grid() {
   const bool coefficients = database.sky() && database.sky()->subdivision > 0;
   if (daylight_factor_ && coefficients && input_.sky.empty()) input_.sky = "cie-overcast:10000";
   const Zone& zone = database.zone();
-  const auto sets = chosen_sets(zone, plane_, input_.path);
+  const auto sets = chosen_sets(zone, planes_, input_.path);
   if (sets.empty()) program_.say("the zone has no measuring planes or sensors");
   if (stats_) return grid_stats(database, sets);
   std::vector<std::string> columns{"plane", "point", "x_m", "y_m", "z_m", "nx", "ny", "nz", "illuminance_lx"};
@@ -149,19 +153,23 @@ void TableCommands::grid() {
   Table table(columns_with_source(input_, columns));
   for_sources(database, input_, [&](const std::string& source, const Mix& asked) {
     const Mix mix = daylight_factor_ ? diffuse_daylight(database, asked) : asked;
-    const auto lx = point_illuminance_lx(database, mix);
+    const auto lx = direct_ ? direct_point_illuminance_lx(database, mix) : point_illuminance_lx(database, mix);
     const auto errors = point_errors(database, mix);
     for (const auto& set : sets) {
       for (std::size_t p = set.first; p < set.first + set.count; ++p) {
         const Vec3 at = zone.points[p].position + zone.origin_m, n = zone.points[p].normal;
         std::vector<Table::Value> row{set.name, static_cast<long>(p - set.first), at.x, at.y, at.z, n.x, n.y, n.z, lx[p]};
         if (daylight_factor_) row.emplace_back(100.0 * lx[p] / outside_lx);
-        row.emplace_back(errors ? (*errors)[p].total_lx() : kUnknown);
+        row.emplace_back(errors ? stated_lx((*errors)[p]) : kUnknown);
         table.add(row_with_source(source, std::move(row)));
       }
     }
   });
   write_table(program_, table, input_);
+}
+
+double TableCommands::stated_lx(const PointError& error) const {
+  return direct_ ? PointError{.direct_lx = error.direct_lx}.total_lx() : error.total_lx();
 }
 
 // Of the sky alone, unobstructed.
@@ -179,14 +187,14 @@ void TableCommands::grid_stats(const LuminanceDatabase& database, const std::vec
   Table table(columns_with_source(
       input_, {"plane", "points", "min_lx", "mean_lx", "max_lx", "u0", "ud", "left_out", "error_lx"}));
   for_sources(database, input_, [&](const std::string& source, const Mix& mix) {
-    const auto lx = point_illuminance_lx(database, mix);
+    const auto lx = direct_ ? direct_point_illuminance_lx(database, mix) : point_illuminance_lx(database, mix);
     const auto errors = point_errors(database, mix);
     for (const auto& set : sets) {
       const auto s = grid_statistics(lx, database.zone().points, set);
       table.add(row_with_source(source, {set.name, static_cast<long>(s.n_points), s.min_lx, s.mean_lx,
                                          s.max_lx, s.u0, s.ud, static_cast<long>(s.n_left_out),
                                          errors && s.n_left_out < s.n_points
-                                             ? mean_error(*errors, database.zone().points, set).total_lx()
+                                             ? stated_lx(mean_error(*errors, database.zone().points, set))
                                              : kUnknown}));
     }
   });

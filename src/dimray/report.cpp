@@ -11,6 +11,10 @@ namespace {
 
 constexpr double kGoodBalance = 2e-3;
 
+// The bound is a bound: usually some ten times what is left. Beyond that the result is not what was asked for.
+constexpr double kGoodBound = 0.01, kBoundOfTolerance = 10.0;
+double largest_bound(double tolerance) { return std::min(1.0, std::max(kGoodBound, kBoundOfTolerance * tolerance)); }
+
 struct Totals {
   double flux_lm = 0.0, error_bound = 0.0, residual = 0.0, imbalance = 0.0;
   int iterations = 0;
@@ -116,6 +120,13 @@ Exit report(Program& program, const Solution& solution, const EndOfBounces& end)
                     100.0 * uncertain));
   if ((!end.tracked && !(sum.residual <= end.tolerance)) || !(uncertain <= end.tolerance)) {
     program.say("the accuracy asked for was not reached");
+    return Exit::check_failed;
+  }
+  if (!end.tracked && sum.error_bound > largest_bound(end.tolerance)) {
+    program.say(
+        fmt::format("that is more than {:g} %: surfaces reflect nearly all light; use a smaller --tolerance, or lower "
+                    "reflectances",
+                    100.0 * largest_bound(end.tolerance)));
     return Exit::check_failed;
   }
   if (!(std::abs(worst.imbalance) <= kGoodBalance)) {

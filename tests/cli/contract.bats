@@ -31,6 +31,7 @@ setup() { load common; enter_copy; }
   [ "$(head1 dimout surfaces room.lum)" = surface,area_m2,illuminance_mean_lx,illuminance_min_lx,illuminance_max_lx,luminance_mean_cd_m2,cie_x,cie_y ]
   [ "$(head1 dimout surfaces room.lum --by source)" = source,surface,area_m2,illuminance_mean_lx,illuminance_min_lx,illuminance_max_lx,luminance_mean_cd_m2,cie_x,cie_y ]
   [ "$(head1 dimout cells room.lum)" = surface,cell,x_m,y_m,z_m,area_m2,illuminance_lx,luminance_cd_m2 ]
+  [ "$(head1 dimout cells room.lum --by source)" = source,surface,cell,x_m,y_m,z_m,area_m2,illuminance_lx,luminance_cd_m2 ]
   [ "$(head1 dimout grid room.lum)" = plane,point,x_m,y_m,z_m,nx,ny,nz,illuminance_lx,error_lx ]
   [ "$(head1 dimout grid room.lum --by source)" = source,plane,point,x_m,y_m,z_m,nx,ny,nz,illuminance_lx,error_lx ]
   [ "$(head1 dimout grid room.lum --stats)" = plane,points,min_lx,mean_lx,max_lx,u0,ud,left_out,error_lx ]
@@ -51,6 +52,26 @@ setup() { load common; enter_copy; }
   [[ "$(dimout grid room.lum | sed -n 2p)" == workplane,0,0.75,0.75,0.75,0,0,1,* ]]
   [[ "$(dimout grid room.lum --plane 'desk points' | sed -n 2p)" == "desk points,0,1.6,1.1,0.75,0,0,1,"* ]]
   [[ "$(dimout surfaces room.lum | sed -n 2p)" == floor,12,* ]]
+}
+
+@test "cells by source add up to the cells" {
+  dimout cells room.lum | cut -d, -f7 | sed 1d > all
+  for source in 'P\[0,0\]' 'P\[1,0\]' spot; do
+    dimout cells room.lum --by source | tr -d '"' | sed -n "s/^$source,//p" | cut -d, -f7 > "$source"
+  done
+  paste all P* spot | awk '{ d = $2 + $3 + $4 - $1; if (d > 1e-5 * $1 || -d > 1e-5 * $1) bad = 1 } END { exit bad || NR < 100 }'
+}
+
+@test "--plane takes several, in the order asked" {
+  [ "$(dimout grid room.lum --stats --plane 'desk points' --plane workplane | cut -d, -f1 | paste -s)" = $'plane\tdesk points\tworkplane' ]
+  cmp <(dimout colour room.lum --plane workplane --plane 'desk points') <(dimout colour room.lum)
+}
+
+@test "--direct leaves reflections out" {
+  # 50 cd in all directions, 1.25 m above the point and sqrt(1.1^2 + 0.6^2) m aside.
+  dimout grid room.lum --direct --plane 'desk points' --mix panels=0 | awk -F, 'NR == 2 {
+    wanted = 50 * 1.25 / (1.1 ^ 2 + 0.6 ^ 2 + 1.25 ^ 2) ^ 1.5; print $9, wanted; d = $9 / wanted - 1; exit !(d < 1e-6 && d > -1e-6) }'
+  paste -d, <(dimout grid room.lum --direct) <(dimout grid room.lum) | awk -F, 'NR > 1 && !($9 > 0 && $9 < $18) { exit 1 }'
 }
 
 @test "areas end with the volume on stderr" {
@@ -269,6 +290,16 @@ near() { awk -v a="$1" -v b="$2" 'BEGIN { d = a - b; if (d < 0) d = -d; exit !(d
   [ "$status" -eq 1 ]
   [[ "$stderr" == *"the energy balance of source "*" is open by "* ]]
   dimout info coarse.lum > /dev/null
+}
+
+@test "a wide bound of the error ends with status 1 and its cure" {
+  sed 's/{ diffuse = 0.2 }/0.99/; s/"paint-white-matt"/0.99/; s/"wood-beech"/0.99/' room.zone.toml > bright.zone.toml
+  dimdis bright.zone.toml -q -o bright.rays
+  run --separate-stderr dimray bright.rays room.lights.toml -o bright.lum
+  echo "$stderr"
+  [ "$status" -eq 1 ]
+  [[ "$stderr" == *"that is more than 1 %: surfaces reflect nearly all light; use a smaller --tolerance"* ]]
+  dimray bright.rays room.lights.toml -q --tolerance 1e-5 -o bright.lum
 }
 
 @test "check says what is in a zone and where it is not closed" {

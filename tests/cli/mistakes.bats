@@ -79,6 +79,13 @@ solve() { lights "$1"; mistake "$2" "$3" "$4" dimray room.rays l.toml -o y.lum; 
   mistake 3 'z.toml:1:1: the zone has no surface' 'at least one' dimdis check z.toml
 }
 
+@test "points and eyes from which nothing is to be had" {
+  check 's/0\.75/7.5/g' 0 "z.toml:.*'workplane': 24 of 24 points lie outside the zone" 'move it into the zone'
+  check 's/\[\[1.6,1.1,0.75/[[1.6,1.1,0.62/' 0 "z.toml:.*'desk points': 1 of 2 points lie outside the zone or inside something" 'move or shrink'
+  mistake 0 "view 'door' shows no light at all" 'and --mix' dimout image room.lum --mix panels=0 --mix spot=0 -o y.png
+  mistake 0 "view 'door' shows no light at all" 'and --mix' dimout image room.lum --mix panels=0 --mix spot=0 --tone falsecolour -o y.png
+}
+
 @test "surfaces that claim the same place" {
   printf '[[surface]]\nname = "rug"\nfinish = "wood"\nvertices = [[1,1,0],[2,1,0],[2,2,0],[1,2,0]]\n' | cat room.zone.toml - > z.toml
   mistake 0 "z.toml:.*'rug' and surface 'floor' \(line 14\) overlap in one plane by 1 m2: 'rug' lies on top" 'on = "floor"' dimdis check z.toml

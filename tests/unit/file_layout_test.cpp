@@ -251,3 +251,29 @@ TEST_CASE("What DIM never writes is refused by name", "[base][unit]") {
     H5Tclose(text);
   });
 }
+
+TEST_CASE("Damage in HDF5's own structures is refused in words", "[base][unit]") {
+  const Folder folder;
+  StoredRoom().save(folder);
+  const std::string path = folder / "a.lum", good = files_test::contents(path);
+  std::size_t n_blocks = 0;
+  for (const std::string block : {"BTHD", "BTLF", "FRHP", "FHDB", "OHDR", "OCHK", "SNOD", "HEAP", "TREE"}) {
+    for (std::size_t at = good.find(block, kHeader_bytes); at != std::string::npos; at = good.find(block, at + 4)) {
+      ++n_blocks;
+      for (const std::size_t byte : {std::size_t{0}, std::size_t{4}, std::size_t{8}, std::size_t{13}, std::size_t{20}}) {
+        if (at + byte >= good.size()) continue;
+        std::string bad = good;
+        bad[at + byte] = static_cast<char>(bad[at + byte] ^ 0x15);
+        files_test::put(path, bad);
+        files_test::seal(path);
+        CAPTURE(block, at, byte);
+        try {
+          load_lum(path, Job{});  // what is not damaged by it is read
+        } catch (const IoError&) {
+        } catch (const LimitError&) {
+        }
+      }
+    }
+  }
+  CHECK(n_blocks > 10);
+}

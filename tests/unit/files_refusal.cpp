@@ -91,9 +91,9 @@ TEST_CASE("Files that are not DIM's are refused with what they are", "[base][uni
 TEST_CASE("Another kind and a newer version are refused by name", "[base][unit]") {
   const Folder folder;
   sample("lum").write(folder / "lum");
-  CHECK(refusal(folder / "lum") == "is a luminance database (.lum)" + kExpected);
+  CHECK(refusal(folder / "lum") == "is a luminance database (.lum)" + kExpected + ", which dimdis makes");
   sample("sky-data").write(folder / "other");
-  CHECK(refusal(folder / "other") == "is a DIM file of kind 'sky-data'" + kExpected);
+  CHECK(refusal(folder / "other") == "is a DIM file of kind 'sky-data'" + kExpected + ", which dimdis makes");
   sample("rays", 3).write(folder / "new");
   CHECK(refusal(folder / "new", 2) == "written by DIM " + dim::version() +
                                           " in format 3, this program reads 1..2; use that version of DIM or a "

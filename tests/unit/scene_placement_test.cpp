@@ -66,6 +66,45 @@ TEST_CASE("Furniture outside the zone or through a wall is warned of with its li
        "surface 'p' goes through", "");
 }
 
+TEST_CASE("What goes through a wall ends at it: what lies outside does not count", "[scene][placement][unit]") {
+  const auto area_of = [](const Zone& zone, const std::string& name) {
+    double sum = 0.0;
+    for (const auto& surface : zone.surfaces)
+      if (surface.name == name) sum += surface.polygon.area_m2();
+    return sum;
+  };
+  const auto zone_with = [](const std::string& text, const std::vector<std::string>& overrides) {
+    Warnings warnings;
+    const Zone zone = read(text, overrides, &warnings);
+    REQUIRE(warnings.size() == 1);
+    CHECK(warnings[0].what.find("the part outside is cut off") != std::string::npos);
+    return zone;
+  };
+  // The wall at x = 6, which is 4 x 3.
+  const Zone straight = zone_with(kDesk, {"box.desk.corner=[5.5,1,0.5]"});
+  CHECK(area_of(straight, "desk.top") == Approx(0.5 * 0.7).epsilon(1e-9));
+  CHECK(area_of(straight, "desk.south") == Approx(0.5 * 0.72).epsilon(1e-9));
+  CHECK(area_of(straight, "desk.west") == Approx(0.7 * 0.72).epsilon(1e-9));
+  CHECK(area_of(straight, "desk.east") == 0.0);
+  // Turned, only a corner is left outside. What remains of its faces and the wall's loss close it: their areas
+  // add up to nothing as vectors.
+  const Zone turned = zone_with(kDesk, {"box.desk.corner=[5.0,1,0.5]", "box.desk.turn=30"});
+  Vec3 sum(0.0);
+  double wall_m2 = 0.0;
+  for (const auto& surface : turned.surfaces) {
+    if (surface.name.starts_with("desk.")) sum += surface.polygon.area_m2() * surface.polygon.normal();
+    if (surface.polygon.normal().x < -0.999 && surface.bounding) wall_m2 += surface.polygon.area_m2();
+  }
+  CHECK(wall_m2 < 12.0 - 0.1);
+  CHECK(glm::length(sum + Vec3(12.0 - wall_m2, 0, 0)) < 1e-9);
+  // A panel, on both sides.
+  const Zone panel = zone_with(kRoom + "[[surface]]\nname = \"p\"\nfinish = \"wall\"\nsides = 2\n"
+                                       "vertices = [[5,1,1],[7,1,1],[7,1,2],[5,1,2]]\n",
+                               {});
+  CHECK(area_of(panel, "p") == Approx(1.0).epsilon(1e-9));
+  CHECK(area_of(panel, "p.back") == Approx(1.0).epsilon(1e-9));
+}
+
 TEST_CASE("Many pieces of furniture outside are one line", "[scene][placement][unit]") {
   std::string text =
       kRoom + "[[box]]\nname = \"d\"\nfinish = \"wall\"\ncorner = [20,1,0]\nsize = [1,0.5,0.5]\n";

@@ -119,7 +119,8 @@ FileHeader parse_header(const std::string& path, std::span<const char> start, st
   if (!text) throw_altered(path);
   FileHeader header;
   header.kind = field(*text, "kind");
-  if (header.kind != expected_kind) throw IoError(path, "is " + kind_in_words(header.kind) + expected);
+  if (header.kind != expected_kind)
+    throw IoError(path, "is " + kind_in_words(header.kind) + expected + ", which " + maker_of(expected_kind) + " makes");
   const auto version = number<int>(field(*text, "version"));
   if (!version) throw_altered(path);
   header.version = *version;

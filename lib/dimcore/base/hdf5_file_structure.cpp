@@ -1,6 +1,9 @@
 #include "base/hdf5_file_structure.hpp"
 
+#include <algorithm>
 #include <set>
+#include <string>
+#include <vector>
 
 namespace dim::hdf5 {
 namespace {
@@ -14,14 +17,12 @@ class StructureCheck {
 
   void group(hid_t group, const std::string& name, int level) {
     if (level > kMostLevels) fail("'" + name + "' lies deeper than DIM writes");
-    H5G_info_t info = {};
-    if (H5Gget_info(group, &info) < 0) fail("group '" + name + "' cannot be read" + reason());
-    for (hsize_t i = 0; i < info.nlinks; ++i) link(group, name, i, level);
+    for (const auto& link_name : names_in(group, name)) link(group, name, link_name, level);
   }
 
  private:
-  void link(hid_t group, const std::string& group_name, hsize_t index, int level) {
-    const std::string name = link_name(group, group_name, index), full = group_name + name;
+  void link(hid_t group, const std::string& group_name, const std::string& name, int level) {
+    const std::string full = group_name + name;
     H5L_info_t info = {};
     if (H5Lget_info(group, name.c_str(), &info, H5P_DEFAULT) < 0) fail("'" + full + "' cannot be read");
     if (info.type != H5L_TYPE_HARD) fail("'" + full + "' is a link to elsewhere, which DIM never writes");
@@ -39,16 +40,19 @@ class StructureCheck {
       fail("'" + full + "' is neither a group nor a dataset");
   }
 
-  std::string link_name(hid_t group, const std::string& group_name, hsize_t index) const {
-    const auto read = [&](char* out, std::size_t room) {
-      return H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, index, out, room, H5P_DEFAULT);
+  // In native order: asked for an order, HDF5 1.10 makes a table of as many links as the file claims and, where they
+  // cannot all be read, frees what it has not filled.
+  std::vector<std::string> names_in(hid_t group, const std::string& group_name) const {
+    std::vector<std::string> names;
+    const auto note = [](hid_t, const char* name, const H5L_info_t*, void* out) -> herr_t {
+      auto& list = *static_cast<std::vector<std::string>*>(out);
+      list.emplace_back(name);
+      return *name != '\0' && list.size() <= kMostObjects ? 0 : -1;
     };
-    const ssize_t length = read(nullptr, 0);
-    if (length <= 0) fail("a name in group '" + group_name + "' cannot be read" + reason());
-    std::string name(static_cast<std::size_t>(length) + 1, '\0');
-    read(name.data(), name.size());
-    name.pop_back();
-    return name;
+    if (H5Literate(group, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, note, &names) < 0)
+      fail("a name in group '" + group_name + "' cannot be read" + reason());
+    std::sort(names.begin(), names.end());
+    return names;
   }
 
   void dataset(hid_t set, const std::string& name) {

@@ -15,9 +15,10 @@ std::vector<double> illuminance_lx(const LuminanceDatabase& database, const Mix&
     if (mix[s] == 0.0) continue;
     const auto transfer = database.transfer(part, s);
     const auto xyz = database.sources()[s].xyz_by_class(database.classes());
+    const bool one_class = transfer.size() == n;  // direct light that no mirror colours
     for (std::size_t q = 0; q < xyz.size(); ++q) {
-      for (std::size_t i = 0; i < n; ++i)
-        lx[i] += mix[s] * xyz[q].y * static_cast<double>(transfer[q * n + i]);
+      const float* of_class = transfer.data() + (one_class ? 0 : q * n);
+      for (std::size_t i = 0; i < n; ++i) lx[i] += mix[s] * xyz[q].y * static_cast<double>(of_class[i]);
     }
   }
   return lx;
@@ -86,6 +87,10 @@ Mix only(const Mix& mix, std::size_t source) {
 
 std::vector<double> point_illuminance_lx(const LuminanceDatabase& database, const Mix& mix) {
   return illuminance_lx(database, mix, database.zone().points.size(), TransferPart::point_total);
+}
+
+std::vector<double> direct_point_illuminance_lx(const LuminanceDatabase& database, const Mix& mix) {
+  return illuminance_lx(database, mix, database.zone().points.size(), TransferPart::point_direct);
 }
 
 std::vector<double> cell_illuminance_lx(const LuminanceDatabase& database, const Mix& mix) {

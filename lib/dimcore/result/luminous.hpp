@@ -29,6 +29,8 @@ void put_into_states(const std::vector<std::string>& texts, const std::vector<So
 
 /// Illuminance of every measuring point, lx, sources mixed. [n_points]
 std::vector<double> point_illuminance_lx(const LuminanceDatabase& database, const Mix& mix);
+/// The same before any reflection but that of mirrors. [n_points]
+std::vector<double> direct_point_illuminance_lx(const LuminanceDatabase& database, const Mix& mix);
 /// Illuminance of every cell, lx, sources mixed. [n_cells]
 std::vector<double> cell_illuminance_lx(const LuminanceDatabase& database, const Mix& mix);
 

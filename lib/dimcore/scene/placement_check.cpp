@@ -54,14 +54,14 @@ bool like_a_room(const Vec3& size_m) {
 /// A solid of the zone: a box's six faces, or one panel.
 struct Body {
   const Surface* first = nullptr;
-  std::size_t n_faces = 1;
+  BodyFaces faces;
   std::string label;           ///< "box 'desk'"
   std::vector<Vec3> extremes;  ///< points of it that must lie inside, a little within its outline
   bool outside = false;        ///< an external obstruction: may lie outside
 
   bool contains(const Vec3& p, double touch_m) const {
-    if (n_faces != kBoxFaces) return false;
-    for (std::size_t i = 0; i < n_faces; ++i)
+    if (faces.n != kBoxFaces) return false;
+    for (std::size_t i = 0; i < faces.n; ++i)
       if (first[i].polygon.frame().height(p) > -touch_m) return false;
     return true;
   }
@@ -72,12 +72,12 @@ std::string name_of_box(const std::string& face) { return face.substr(0, face.rf
 Body body_at(const std::vector<Surface>& surfaces, std::size_t i, bool of_box, double touch_m) {
   Body body;
   body.first = &surfaces[i];
-  body.n_faces = of_box ? kBoxFaces : 1;
+  body.faces = {i, of_box ? kBoxFaces : 1};
   body.outside = surfaces[i].outside;
   body.label = of_box ? fmt::format("box '{}'", name_of_box(surfaces[i].name))
                       : fmt::format("surface '{}'", surfaces[i].name);
   Vec3 middle(0.0);
-  for (std::size_t f = 0; f < body.n_faces; ++f)
+  for (std::size_t f = 0; f < body.faces.n; ++f)
     for (const auto& ring : surfaces[i + f].polygon.corners())
       body.extremes.insert(body.extremes.end(), ring.begin(), ring.end());
   for (const auto& p : body.extremes) middle += p / static_cast<double>(body.extremes.size());
@@ -123,15 +123,22 @@ class Named {
   Place place_;
 };
 
-void warn_of_bodies(const Zone& zone, const std::vector<Body>& bodies, const InsideTest& test,
-                    Warnings& warnings) {
-  Named outside, through;
+std::vector<ShellCut> warn_of_bodies(const Zone& zone, const std::vector<Body>& bodies, const InsideTest& test,
+                                     double touch_m, Warnings& warnings) {
+  Named outside, through, cut_off;
+  std::vector<ShellCut> cuts;
   for (const auto& body : bodies) {
     if (body.outside) continue;
     const auto n_outside = std::count_if(body.extremes.begin(), body.extremes.end(),
                                          [&](const Vec3& p) { return test.outside(p); });
     if (n_outside == 0) continue;
-    (n_outside == static_cast<std::ptrdiff_t>(body.extremes.size()) ? outside : through).add(body);
+    if (n_outside == static_cast<std::ptrdiff_t>(body.extremes.size())) {
+      outside.add(body);
+      continue;
+    }
+    const auto found = find_shell_cuts(zone.surfaces, body.faces, body.extremes, test, touch_m);
+    (found.empty() ? through : cut_off).add(body);
+    cuts.insert(cuts.end(), found.begin(), found.end());
   }
   if (outside.n() > 0)
     warnings.push_back(
@@ -141,13 +148,17 @@ void warn_of_bodies(const Zone& zone, const std::vector<Body>& bodies, const Ins
          fmt::format("check the position and the unit (every length is in {}); an external obstruction "
                      "is written outside = true",
                      unit_name(zone.unit_m))});
-  if (through.n() > 0)
+  const auto warn_of_through = [&](const Named& named, const std::string& part) {
+    if (named.n() == 0) return;
     warnings.push_back(
-        {through.place(),
-         fmt::format("{} {} through the zone's surfaces: a part lies outside", through.names(),
-                     through.n() == 1 ? "goes" : "go"),
+        {named.place(),
+         fmt::format("{} {} through the zone's surfaces: {}", named.names(), named.n() == 1 ? "goes" : "go", part),
          fmt::format("check the position and the size (every length is in {}), or end it at the wall",
                      unit_name(zone.unit_m))});
+  };
+  warn_of_through(cut_off, "the part outside is cut off");
+  warn_of_through(through, "a part lies outside");
+  return cuts;
 }
 
 void warn_of_eyes(const Zone& zone, const std::vector<Place>& eyes, const std::vector<Body>& bodies,
@@ -192,14 +203,15 @@ void warn_of_size(const Zone& zone, const Place& place, Warnings& warnings) {
                       cure});
 }
 
-void warn_of_placement(const Zone& zone, const std::vector<SurfaceLink>& links,
-                       const std::vector<Place>& eyes, const ZoneFrame& frame, double touch_m,
-                       Warnings& warnings) {
+std::vector<ShellCut> warn_of_placement(const Zone& zone, const std::vector<SurfaceLink>& links,
+                                        const std::vector<Place>& eyes, const ZoneFrame& frame, double touch_m,
+                                        Warnings& warnings) {
   const auto bodies = bodies_of(zone, links, touch_m);
-  if (bodies.empty() && zone.views.empty()) return;
+  if (bodies.empty() && zone.views.empty()) return {};
   const InsideTest test(zone.surfaces, zone.diameter_m, zone.closed);
-  warn_of_bodies(zone, bodies, test, warnings);
+  auto cuts = warn_of_bodies(zone, bodies, test, touch_m, warnings);
   warn_of_eyes(zone, eyes, bodies, test, frame, touch_m, warnings);
+  return cuts;
 }
 
 }  // namespace dim

@@ -211,15 +211,16 @@ class ZoneAssembly {
     cut_features(cut, touch_m);
     const auto overlaps = find_overlaps(zone_.surfaces, cut, links_, touch_m, warnings_);
     cut_overlaps(cut, zone_.surfaces, overlaps, touch_m);
-    check_whole(overlaps, touch_m);
+    const auto cuts = check_whole(overlaps, touch_m);
     problems_.throw_if_any();
+    cut_at_shell(cut, links_, zone_.surfaces, cuts, touch_m);
     zone_.surfaces = std::move(cut);
     remove_contacts(zone_.surfaces, links_, touch_m, warnings_);
     refuse_windows_in_partitions();
   }
 
   // Closedness and volume, size, and what stands where; features are still part of their parents.
-  void check_whole(const std::vector<SurfaceOverlap>& overlaps, double touch_m) {
+  std::vector<ShellCut> check_whole(const std::vector<SurfaceOverlap>& overlaps, double touch_m) {
     auto whole = zone_.surfaces;
     cut_overlaps(whole, zone_.surfaces, of_bounding(overlaps, zone_.surfaces), touch_m);
     const double meet_m = std::max(touch_m, 2.0 * planarity_m_);
@@ -228,8 +229,9 @@ class ZoneAssembly {
     zone_.closed = shell.closed;
     if (!shell.closed) zone_.openings = find_openings(whole, shell.leaking, meet_m);
     warn_of_size(zone_, parts_.unit_place, warnings_);
-    warn_of_placement(zone_, links_, parts_.eyes, frame_, touch_m, warnings_);
+    auto cuts = warn_of_placement(zone_, links_, parts_.eyes, frame_, touch_m, warnings_);
     refuse_inner_windows();
+    return cuts;
   }
 
   const ZoneParts& parts_;
