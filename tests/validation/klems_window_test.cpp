@@ -1,4 +1,5 @@
 #include "reflection/glazing.hpp"
+#include "reflection/klems.hpp"
 #include "validation/daylight_support.hpp"
 
 using namespace dim;
