@@ -107,7 +107,8 @@ BlindPlan read_blind(const TomlTable& table) {
   BlindPlan blind;
   blind.place = table.place();
   if (table.require("windows", "a group of windows")) blind.windows = table.text("windows").value_or("");
-  if (table.require("closed", "the state of the windows while closed")) blind.closed = table.text("closed").value_or("");
+  if (table.require("closed", "the state of the windows while closed"))
+    blind.closed = table.text("closed").value_or("");
   if (table.require("law", "one of direct-sun, irradiance, illuminance"))
     if (const auto word = table.word("law", kLaws))
       blind.law = static_cast<BlindLaw>(std::find(kLaws.begin(), kLaws.end(), *word) - kLaws.begin());
