@@ -2,16 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/atomic_file.hpp"
 #include "base/input_file.hpp"
+#include "base/version.hpp"
+#include "climate/control_file.hpp"
 #include "climate/metrics.hpp"
 #include "climate/occupancy.hpp"
 #include "climate/sensor_year.hpp"
 #include "common/in_file.hpp"
 #include "common/option_checks.hpp"
+#include "dimout/annual_metrics.hpp"
 #include "dimout/daylight.hpp"
+#include "dimout/hourly_file.hpp"
 #include "image/heat_map.hpp"
+#include "image/picture_module.hpp"
+#include "image/writer.hpp"
+#include "sky/weather_light.hpp"
 
 namespace dim {
 namespace {
@@ -47,10 +55,7 @@ std::size_t point_named(const Zone& zone, const std::string& name) {
 
 }  // namespace
 
-struct AnnualCommand::Year {
-  std::vector<PointMetrics> metrics;  // [n_points]
-  std::vector<double> factors;        // [n_points]
-  std::vector<double> sunlight_h;     // [n_points]
+struct AnnualCommand::Year : YearAtPoints {
   std::vector<PointSet> sets;
 };
 
@@ -79,18 +84,41 @@ AnnualCommand::AnnualCommand(Program& program) : program_(program) {
   annual_->add_option("--point", point_, "Point of the heat map, as in workplane[3]")
       ->type_name("NAME")
       ->needs(map);
+  auto* plan = annual_->add_option("--map", plan_, "Draw a metric over a plane in false colours")
+                   ->type_name("FILE.svg|png");
+  annual_->add_option("--metric", metric_, "Column that the map shows")
+      ->type_name("NAME")
+      ->check(CLI::IsMember(metric_names()))
+      ->needs(plan);
+  annual_->add_option("--hourly", hourly_, "Write the illuminance at every step and point")->type_name("FILE.h5");
+  annual_
+      ->add_option("--control", control_,
+                   "Operate windows by the [[blind]] tables of a control file; direct sun and daylight factors "
+                   "stay those of windows as they stand")
+      ->type_name("FILE.toml")
+      ->group("Input");
 }
 
 Weather AnnualCommand::weather() {
   Weather weather = read_epw(input_.weather, program_.job());
   program_.warn(weather.warnings);
+  program_.warn(beam_without_sun(weather, name_for_messages(input_.weather)));
   return weather;
+}
+
+void AnnualCommand::check_outputs() const {
+  const std::vector<std::string> inputs = {input_.database.path, input_.weather, control_, presence_};
+  for (const auto& output : {input_.database.output, heat_map_, plan_, hourly_})
+    if (!output.empty()) program_.check_output(output, inputs);
+  const bool png = picture_format_of(plan_) == PictureFormat::png;
+  if (!plan_.empty() && !png && !plan_.ends_with(".svg") && !plan_.ends_with(".SVG"))
+    throw UsageError("--map '" + plan_ + "': the name must end in .svg or .png");
+  if (hourly_ == "-") throw UsageError("--hourly: HDF5 cannot be written to standard output, name a file");
 }
 
 bool AnnualCommand::run() {
   if (!annual_->parsed()) return false;
-  program_.check_output(input_.database.output, {input_.database.path, input_.weather});
-  if (!heat_map_.empty()) program_.check_output(heat_map_, {input_.database.path, input_.weather});
+  check_outputs();
   program_.stage("read");
   const DaylitRoom room(program_, input_);
   const Weather weather = this->weather();
@@ -104,17 +132,26 @@ bool AnnualCommand::run() {
   program_.stage("year");
   Year year;
   year.sets = chosen_sets(room.database.zone(), planes_, input_.database.path);
-  annual_illuminance(
-      sky, room.coefficients, room.sun,
-      [&](const PointBlock& block) {
-        const auto metrics = block_metrics(block, times, target_lx_);
-        year.metrics.insert(year.metrics.end(), metrics.begin(), metrics.end());
-      },
-      program_.job());
-  year.factors = daylight_factors(room.coefficients);
+  const OperatedWindows windows = operated(room, sky);
+  std::optional<HourlyFile> hourly;
+  if (!hourly_.empty())
+    hourly.emplace(hourly_, room.database, weather, year.sets, windows.blinds, program_.job());
+  const auto add = [&](const PointBlock& block) {
+    const auto metrics = block_metrics(block, times, target_lx_);
+    year.metrics.insert(year.metrics.end(), metrics.begin(), metrics.end());
+    if (hourly) hourly->add(block);
+  };
+  if (windows.parts.empty())
+    annual_illuminance(sky, room.coefficients, room.sun, add, program_.job());
+  else
+    annual_illuminance(sky, windows.parts, add, program_.job());
+  year.daylight_factors = daylight_factors(room.coefficients);
   const LocalTime day{weather.steps.front().end.year, kSunlightMonth, kSunlightDay, 0.0};
   year.sunlight_h = sunlight_hours(weather, day, room.sun, room.coefficients.n_points);
-  if (!heat_map_.empty()) heat_map(room, sky);
+  program_.stage(kWritingStage);
+  if (hourly) hourly->commit();
+  if (!heat_map_.empty()) heat_map(room, windows, sky);
+  if (!plan_.empty()) plan(room, year);
   if (stats_)
     planes(room, year);
   else
@@ -122,24 +159,49 @@ bool AnnualCommand::run() {
   return true;
 }
 
+OperatedWindows AnnualCommand::operated(const DaylitRoom& room, const AnnualSky& sky) {
+  if (control_.empty()) return {};
+  const ControlPlan plan = read_control(read_text_file(control_, kMostControlBytes), name_for_messages(control_));
+  OperatedWindows windows = operate(room.database, room.states, plan.blinds, sky, program_.job());
+  say_operated(program_, windows.blinds, sky);
+  return windows;
+}
+
 void AnnualCommand::points(const DaylitRoom& room, const Year& year) {
   const Zone& zone = room.database.zone();
-  Table table({"plane", "point", "x_m", "y_m", "z_m", "nx", "ny", "nz", "daylight_factor_percent",
-               "da_percent", "cda_percent", "udi_low_percent", "udi_supplementary_percent",
-               "udi_autonomous_percent", "udi_high_percent", "exposure_klx_h", "half_daylight_lx",
-               "direct_sun_h", "sunlight_h"});
+  std::vector<std::string> columns = {"plane", "point", "x_m", "y_m", "z_m", "nx", "ny", "nz"};
+  for (const auto& name : metric_names()) columns.push_back(name);
+  Table table(std::move(columns));
   for (const auto& set : year.sets) {
     for (std::size_t p = set.first; p < set.first + set.count; ++p) {
       const Vec3 at = zone.points[p].position + zone.origin_m, n = zone.points[p].normal;
-      const PointMetrics& m = year.metrics[p];
-      table.add({set.name, static_cast<long>(p - set.first), at.x, at.y, at.z, n.x, n.y, n.z,
-                 percent(year.factors[p]), percent(m.autonomy), percent(m.continuous_autonomy),
-                 percent(m.useful_low), percent(m.useful_supplementary), percent(m.useful_autonomous),
-                 percent(m.useful_high), m.exposure_lx_h / 1000.0, m.half_daylight_lx, m.direct_sun_h,
-                 year.sunlight_h[p]});
+      std::vector<Table::Value> row = {
+          set.name, static_cast<long>(p - set.first), at.x, at.y, at.z, n.x, n.y, n.z};
+      for (const auto& column : metric_columns()) row.emplace_back(column.value(year, p));
+      table.add(std::move(row));
     }
   }
   write_table(program_, table, input_.database);
+}
+
+void AnnualCommand::plan(const DaylitRoom& room, const Year& year) {
+  const Zone& zone = room.database.zone();
+  if (zone.planes.empty())
+    throw InputError(Problem{{input_.database.path}, "the zone has no measuring plane to be drawn", ""});
+  const auto plane = std::find_if(zone.planes.begin(), zone.planes.end(), [&](const MeasuringPlane& p) {
+    return planes_.empty() || p.name == planes_.front();
+  });
+  if (plane == zone.planes.end())
+    throw UsageError("--map: '" + planes_.front() + "' are sensors, a map needs a measuring plane");
+  const auto set = std::find_if(zone.point_sets.begin(), zone.point_sets.end(),
+                                [&](const PointSet& s) { return s.name == plane->name; });
+  const auto metric = std::find_if(metric_columns().begin(), metric_columns().end(),
+                                   [&](const MetricColumn& column) { return column.name == metric_; });
+  const Drawing drawing = plane_map_drawing(plane_map(zone, *plane, *set, *metric, year));
+  if (picture_format_of(plan_) != PictureFormat::png) return write_file(plan_, svg_text(drawing));
+  const PictureModule module(executable_folder() + "/../lib/dim");
+  if (!module.available()) program_.warn({{{}, "no words on the picture: " + module.no_font_reason(), ""}});
+  write_file(plan_, module.png(rasterised(drawing, module), {"DIM " + version(), drawing.title, ""}));
 }
 
 void AnnualCommand::planes(const DaylitRoom& room, const Year& year) {
@@ -154,7 +216,7 @@ void AnnualCommand::planes(const DaylitRoom& room, const Year& year) {
     for (std::size_t p = set.first; p < set.first + set.count; ++p) {
       if (!zone.points[p].valid) continue;
       metrics.push_back(year.metrics[p]);
-      factors.push_back(year.factors[p]);
+      factors.push_back(year.daylight_factors[p]);
     }
     const PlaneMetrics plane = plane_metrics(metrics);
     double mean = 0.0;
@@ -174,14 +236,13 @@ void AnnualCommand::planes(const DaylitRoom& room, const Year& year) {
   write_table(program_, table, input_.database);
 }
 
-void AnnualCommand::heat_map(const DaylitRoom& room, const AnnualSky& sky) {
+void AnnualCommand::heat_map(const DaylitRoom& room, const OperatedWindows& windows, const AnnualSky& sky) {
   const Zone& zone = room.database.zone();
   if (zone.points.empty())
     throw InputError(Problem{{input_.database.path}, "the zone has no measuring points", ""});
   const std::string name = point_.empty() ? zone.point_sets.front().name + "[0]" : point_;
   const std::size_t point = in_file(input_.database.path, [&] { return point_named(zone, name); });
-  const auto years = sensor_years({name}, sky, at_points(room.coefficients, {point}),
-                                  at_points(room.sun, {point}), program_.job());
+  const auto years = sensor_years({name}, sky, parts_at(room, windows, {point}), program_.job());
   HeatMap map;
   map.title = fmt::format("{}: illuminance by daylight", name);
   map.unit = "lx";

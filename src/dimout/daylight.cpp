@@ -1,5 +1,8 @@
 #include "dimout/daylight.hpp"
 
+#include <fmt/format.h>
+
+#include "climate/sensor_year.hpp"
 #include "common/in_file.hpp"
 #include "dimout/sky_option.hpp"
 
@@ -28,6 +31,21 @@ DaylitRoom::DaylitRoom(Program& program, const DaylightInput& input)
     : database(input.database.path, program.job()),
       states(parse_states(input.states)),
       coefficients(in_file(input.database.path, [&] { return stored_coefficients(database, states); })),
-      sun(sun_by_rays(database, states)) {}
+      sun(sun_at_points(database, states)) {}
+
+std::vector<WindowPart> parts_at(const DaylitRoom& room, const OperatedWindows& windows,
+                                 const std::vector<std::size_t>& points) {
+  if (!windows.parts.empty()) return at_points(windows.parts, points);
+  return {{at_points(room.coefficients, points), at_points(room.sun, points), {}, true}};
+}
+
+void say_operated(const Program& program, const std::vector<BlindYear>& blinds, const AnnualSky& sky) {
+  for (const auto& blind : blinds) {
+    double closed_h = 0.0;
+    for (const std::size_t step : sky.lit) closed_h += blind.closed[step] ? sky.step_h : 0.0;
+    program.say(fmt::format("windows '{}': '{}' for {:.0f} of {:.0f} h of light", blind.windows, blind.closed_state,
+                            closed_h, sky.step_h * static_cast<double>(sky.lit.size())));
+  }
+}
 
 }  // namespace dim

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "climate/annual.hpp"
+#include "climate/blinds.hpp"
 #include "climate/circuits.hpp"
 #include "climate/control_file.hpp"
 #include "climate/lighting_year.hpp"
@@ -35,6 +36,15 @@ struct DaylitRoom {
   SunFactors sun;
 };
 
+inline constexpr std::size_t kMostControlBytes = 64 << 20;
+
+/// Light through the windows at some points: as they are operated, or as they stand where nobody operates them.
+std::vector<WindowPart> parts_at(const DaylitRoom& room, const OperatedWindows& windows,
+                                 const std::vector<std::size_t>& points);
+
+/// Says how long windows are closed while it is light.
+void say_operated(const Program& program, const std::vector<BlindYear>& blinds, const AnnualSky& sky);
+
 /// annual.
 class AnnualCommand {
  public:
@@ -46,7 +56,10 @@ class AnnualCommand {
   Weather weather();
   void points(const DaylitRoom& room, const Year& year);
   void planes(const DaylitRoom& room, const Year& year);
-  void heat_map(const DaylitRoom& room, const AnnualSky& sky);
+  void heat_map(const DaylitRoom& room, const OperatedWindows& windows, const AnnualSky& sky);
+  void plan(const DaylitRoom& room, const Year& year);
+  void check_outputs() const;
+  OperatedWindows operated(const DaylitRoom& room, const AnnualSky& sky);
 
   Program& program_;
   DaylightInput input_;
@@ -56,6 +69,10 @@ class AnnualCommand {
   std::string summer_time_;
   std::string heat_map_;
   std::string point_;
+  std::string plan_;
+  std::string metric_ = "da_percent";
+  std::string hourly_;
+  std::string control_;
   double target_lx_ = 300.0;
   bool stats_ = false;
   CLI::App* annual_;
@@ -73,7 +90,12 @@ class LevelsCommand {
   void at_moment();
   void levels();
   Weather weather();
-  std::vector<SensorYear> sensors(const Room& room, const Weather& weather);
+  struct Sensed {
+    std::vector<SensorYear> years;
+    std::vector<BlindYear> blinds;
+  };
+  static OperatedWindows operate(const Room& room, const AnnualSky& sky, const Job& job);
+  Sensed sensed(const Room& room, const Weather& weather);
   void say_energy(const Room& room, const std::vector<Circuit>& circuits,
                   const std::vector<CircuitYear>& years, const Weather& weather) const;
 

@@ -76,6 +76,16 @@ std::vector<double> esp_coefficients(const DaylightCoefficients& c, std::size_t 
   return values;
 }
 
+/// A limit of ESP-r that a circuit exceeds becomes a complaint about its place in the control file.
+template <typename Work>
+auto within_limits(const CircuitPlan& circuit, const Work& work) {
+  try {
+    return work();
+  } catch (const LimitError& error) {
+    throw InputError(Problem{circuit.place, fmt::format("circuit '{}': {}", circuit.name, error.what()), ""});
+  }
+}
+
 }  // namespace
 
 EspExport::EspExport(const EspOptions& options, const ControlPlan& plan, const ControlSensors& sensors,
@@ -105,8 +115,9 @@ TemporalGains EspExport::temporal_gains(const Weather& weather, const std::vecto
   gains.begin_day = day_of_year(2001, first.month, first.day);
   gains.end_day = gains.begin_day + n_days - 1;
   if (gains.end_day > 366)
-    throw LimitError(fmt::format("days {}-{} to {}-{} run over the new year, ESP-r's temporal file does not",
-                                 first.month, first.day, last.month, last.day));
+    throw InputError(
+        Problem{{}, fmt::format("days {}-{} to {}-{} run over the new year, ESP-r's temporal file does not",
+                                first.month, first.day, last.month, last.day), "--from 01-01 --to 12-31"});
   gains.rows.assign(weather.steps.size(), GainRow{});
   if (!options_.gains_file.empty()) add_given_gains(options_.gains_file, gains.rows);
   for (std::size_t i = 0; i < gains.rows.size(); ++i) {
@@ -121,8 +132,7 @@ TemporalGains EspExport::temporal_gains(const Weather& weather, const std::vecto
 EspLightingZone EspExport::lighting_zone(std::size_t circuit) const {
   const ControlSettings& s = circuits_[circuit].settings;
   if (s.law == Law::occupancy)
-    throw LimitError(
-        fmt::format("circuit '{}': ESP-r has no control law 'occupancy'", circuits_[circuit].name));
+    throw LimitError("ESP-r has no control law 'occupancy'");
   double watts = 0.0;
   for (const auto& c : circuits_) watts += c.watts;
   EspLightingZone zone;
@@ -157,7 +167,8 @@ std::string EspExport::gain_control(const WindowStates& states,
     control.active_hours.emplace_back(day ? static_cast<int>(std::floor(schedule.from_h)) : 0,
                                       day ? static_cast<int>(std::ceil(schedule.to_h)) : 1);
   }
-  for (std::size_t c = 0; c < circuits_.size(); ++c) control.zones.push_back(lighting_zone(c));
+  for (std::size_t c = 0; c < circuits_.size(); ++c) 
+    control.zones.push_back(within_limits(plan_.circuits[c], [&] { return lighting_zone(c); }));
   // Two decimals are written: the last takes what rounding leaves.
   double rest = 1.0;
   for (std::size_t c = 0; c + 1 < circuits_.size(); ++c) {
@@ -169,7 +180,9 @@ std::string EspExport::gain_control(const WindowStates& states,
     add_coefficients(states, state_texts, control);
   else
     add_factors(states, control);
-  return write_cgc(control);
+  for (std::size_t c = 0; c < circuits_.size(); ++c)
+    within_limits(plan_.circuits[c], [&] { check_lighting_zone(control.zones[c]); });
+  return within_limits(plan_.circuits.back(), [&] { return write_cgc(control); });
 }
 
 void EspExport::add_coefficients(const WindowStates& states, const std::vector<std::string>& state_texts,
@@ -209,7 +222,7 @@ void EspExport::add_factors(const WindowStates& states, CasualGainControl& contr
   for (const auto& group : window_groups(database_)) {
     const int surface = surface_of(group, options_);
     const double transmittance = group_transmittance(database_, group, states);
-    const auto coefficients = in_file(lum_, [&] { return stored_coefficients(database_, states, group); });
+    const auto coefficients = in_file(lum_, [&] { return stored_coefficients(database_, states, {group}); });
     const auto factors = daylight_factors(at_points(coefficients, sensors_.points));
     for (std::size_t c = 0; c < circuits_.size(); ++c) {
       EspWindow window{surface, {}};

@@ -18,8 +18,6 @@
 namespace dim {
 namespace {
 
-constexpr std::size_t kMostControlBytes = 64 << 20;
-
 MonthDay month_day(const std::string& option, const std::string& text) {
   return in_file(option, [&] { return parse_month_day(text); });
 }
@@ -36,11 +34,21 @@ struct LevelsCommand::Room : DaylitRoom {
        const std::vector<std::string>& set)
       : DaylitRoom(program, input),
         plan(read_control(read_text_file(control, kMostControlBytes), name_for_messages(control), set)),
-        sensors(sensors_of(plan, database.zone())) {}
+        sensors(sensors_of(plan, database.zone())) {
+    if (plan.circuits.empty())
+      throw InputError(Problem{{name_for_messages(control), 1, 1},
+                               "the file has no circuit, whose sensors would be measured",
+                               "write at least one [[circuit]]"});
+  }
 
   ControlPlan plan;
   ControlSensors sensors;
 };
+
+OperatedWindows LevelsCommand::operate(const Room& room, const AnnualSky& sky, const Job& job) {
+  if (room.plan.blinds.empty()) return {};
+  return dim::operate(room.database, room.states, room.plan.blinds, sky, job);
+}
 
 LevelsCommand::LevelsCommand(Program& program) : program_(program) {
   levels_ = add_daylight_command(
@@ -145,6 +153,7 @@ void LevelsCommand::check() const {
 Weather LevelsCommand::weather() {
   Weather weather = read_epw(input_.weather, program_.job());
   program_.warn(weather.warnings);
+  program_.warn(beam_without_sun(weather, name_for_messages(input_.weather)));
   const int per_hour = static_cast<int>(std::lround(1.0 / weather.step_h));
   if (steps_per_hour_ % per_hour != 0)
     throw UsageError(fmt::format("--steps-per-hour {}: the weather has {} an hour, give a multiple",
@@ -160,14 +169,21 @@ Weather LevelsCommand::weather() {
   return weather;
 }
 
-std::vector<SensorYear> LevelsCommand::sensors(const Room& room, const Weather& weather) {
-  const auto coefficients = at_points(room.coefficients, room.sensors.points);
-  const auto sun = at_points(room.sun, room.sensors.points);
-  if (method_ == "paper")
-    return paper_sensor_years(room.sensors.names, weather, daylight_factors(coefficients), sun);
-  const auto sky =
-      annual_sky(weather, coefficients.subdivision, coefficients.ground_reflectance, program_.job());
-  return sensor_years(room.sensors.names, sky, coefficients, sun, program_.job());
+LevelsCommand::Sensed LevelsCommand::sensed(const Room& room, const Weather& weather) {
+  if (method_ == "paper") {
+    if (!room.plan.blinds.empty())
+      throw UsageError("--method paper: it knows no windows that change, leave [[blind]] out of the control file");
+    const auto coefficients = at_points(room.coefficients, room.sensors.points);
+    return {paper_sensor_years(room.sensors.names, weather, daylight_factors(coefficients),
+                               at_points(room.sun, room.sensors.points)),
+            {}};
+  }
+  const auto sky = annual_sky(weather, room.coefficients.subdivision, room.coefficients.ground_reflectance,
+                              program_.job());
+  auto windows = operate(room, sky, program_.job());
+  say_operated(program_, windows.blinds, sky);
+  return {sensor_years(room.sensors.names, sky, parts_at(room, windows, room.sensors.points), program_.job()),
+          std::move(windows.blinds)};
 }
 
 void LevelsCommand::at_moment() {
@@ -175,11 +191,14 @@ void LevelsCommand::at_moment() {
   if (!(at_[0] >= -90.0 && at_[0] <= 90.0))
     throw UsageError(fmt::format("--at: altitude {} is outside -90..90", at_[0]));
   if (!(at_[2] >= 0.0 && at_[3] >= 0.0)) throw UsageError("--at: irradiances are at least 0");
+  if (at_[0] <= 0.0 && at_[2] > 0.0)
+    program_.warn({{{"--at"}, fmt::format("the sun stands {} degrees above the horizon: its beam is left out", at_[0]),
+                    ""}});
   const auto light = perez_sky_and_sun(sky_direction(radians(at_[0]), radians(at_[1])), {at_[2], at_[3]});
-  const auto coefficients = at_points(room.coefficients, room.sensors.points);
-  const auto years = sensor_years(
-      room.sensors.names, sky_of_moment(light, coefficients.subdivision, coefficients.ground_reflectance),
-      coefficients, at_points(room.sun, room.sensors.points));
+  const auto sky = sky_of_moment(light, room.coefficients.subdivision, room.coefficients.ground_reflectance,
+                                 {at_[2], at_[3]});
+  const auto windows = operate(room, sky, program_.job());
+  const auto years = sensor_years(room.sensors.names, sky, parts_at(room, windows, room.sensors.points));
   Table table({"circuit", "sensor", "sun_lx", "sky_lx", "total_lx"});
   for (const auto& circuit : room.plan.circuits) {
     ControlPlan alone;
@@ -206,7 +225,7 @@ void LevelsCommand::levels() {
     return write_file(input_.database.output, esp.gain_control(room.states, input_.states));
   }
   program_.stage("year");
-  const auto years = sensors(room, weather);
+  auto [years, blinds] = sensed(room, weather);
   const auto lamps = run_circuits(circuits, years, weather.steps.size());
   say_energy(room, circuits, lamps, weather);
   program_.stage(kWritingStage);
@@ -232,7 +251,8 @@ void LevelsCommand::levels() {
     file.steps.push_back({step.end, degrees(sun.apparent_altitude_rad), degrees(sun.azimuth_rad),
                           step.irradiance.direct_normal_W_m2, step.irradiance.diffuse_horizontal_W_m2});
   }
-  file.sensors = years;
+  file.sensors = std::move(years);
+  file.blinds = std::move(blinds);
   file.circuits = lamps;
   for (const auto& circuit : circuits) file.circuit_names.push_back(circuit.name);
   write_file(input_.database.output, write_levels(file));

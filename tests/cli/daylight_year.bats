@@ -11,6 +11,7 @@ cell = 1
 [finishes]
 wall = { diffuse = 0.5 }
 glass = { kind = "glazing", transmittance = 0.7, ior = 1.52 }
+dark = { kind = "glazing", transmittance = 0.1, angular_law = "diffusing" }
 [[surface]]
 name = "floor"
 finish = "wall"
@@ -27,6 +28,7 @@ vertices = [[0,0,0],[0,0,3],[4,0,3],[4,0,0]]
 name = "window"
 on = "south"
 finish = "glass"
+states = { drawn = "dark" }
 vertices = [[0.5,0,1],[0.5,0,2.5],[3.5,0,2.5],[3.5,0,1]]
 [[surface]]
 name = "north"
@@ -171,4 +173,78 @@ setup() { load common; cd "$BATS_FILE_TMPDIR"; }
 @test "a heat map is drawn for a point" {
   dimout annual side.lum --weather site.epw --heat-map map.svg --point "workplane[4]" -o /dev/null
   grep -q "workplane\[4\]" map.svg
+}
+
+@test "every step of the year goes into an HDF5 file" {
+  dimout annual side.lum --weather site.epw --hourly year.h5 -o annual.csv
+  [[ "$(h5dump -H year.h5)" == *'DATASET "illuminance"'*'SIMPLE { ( 8760, 9 ) / ( 8760, 9 ) }'*DIMENSION_LIST* ]]
+  dimout levels side.lum --weather site.epw --control control.toml -o levels.csv --quiet
+  # Row of 12:00 on 21 June, sensor workplane[1].
+  lx=$(h5dump -d illuminance -s 4115,1 -c 1,1 -y year.h5 | awk '/^ *[0-9.]+$/ { print $1 }')
+  awk -F, -v lx="$lx" '/^2001,6,21,12,/ { d = $11 / lx - 1; exit !(d < 1e-5 && d > -1e-5) }' levels.csv
+  run dimout annual side.lum --weather site.epw --hourly -
+  [ "$status" -eq 2 ]
+}
+
+@test "any metric is drawn over the plane" {
+  dimout annual side.lum --weather site.epw --map plan.svg --metric udi_high_percent -o /dev/null
+  grep -q "workplane: Occupied time above 3,000 lx" plan.svg
+  dimout annual side.lum --weather site.epw --map plan.png -o /dev/null
+  [ "$(head -c 4 plan.png | tail -c 3)" = PNG ]
+  run dimout annual side.lum --weather site.epw --map plan.pdf
+  [ "$status" -eq 2 ]
+  run dimout annual side.lum --weather site.epw --map plan.svg --metric glare
+  [ "$status" -eq 2 ]
+}
+
+@test "blinds are drawn against the sun, step by step" {
+  cat control.toml - > blinds.toml << 'EOF'
+[[blind]]
+windows = "window"
+closed = "drawn"
+law = "direct-sun"
+EOF
+  dimout levels side.lum --weather site.epw --control control.toml -o open.csv --quiet
+  dimout levels side.lum --weather site.epw --control control.toml --state window=drawn -o drawn.csv --quiet
+  run --separate-stderr dimout levels side.lum --weather site.epw --control blinds.toml -o blinds.csv
+  [ "$status" -eq 0 ]
+  [[ "$stderr" == *"windows 'window': 'drawn' for "*" h of light"* ]]
+  # Every step is that of one of the two states, and says which.
+  for file in open drawn blinds; do grep ^2001 $file.csv > $file.rows; done
+  paste -d, open.rows drawn.rows blinds.rows | awk -F, '{
+      n = int(NF / 3); closed = $NF; lx = $(2 * n + 11); want = closed ? $(n + 11) : $11
+      if (lx != want) { wrong = 1; exit }; sum += closed } END { exit !(!wrong && sum > 200 && sum < 2920) }'
+  dimout annual side.lum --weather site.epw --stats -o open.csv
+  dimout annual side.lum --weather site.epw --stats --control blinds.toml -o blinds.csv
+  # Direct sun and daylight factors are those of windows as they stand; light is less.
+  awk -F, 'FNR == 2 { if (NR == 2) { df = $3; ase = $12; da = $5 } else exit !($3 == df && $12 == ase && $5 < da) }' open.csv blinds.csv
+  run dimout levels side.lum --weather site.epw --control blinds.toml --method paper
+  [ "$status" -eq 2 ]
+  sed 's/"drawn"/"shut"/' blinds.toml > bad.toml
+  run dimout levels side.lum --weather site.epw --control bad.toml
+  [ "$status" -eq 3 ]
+  [[ "$output" == *"bad.toml:15:"*"have no state 'shut'"* ]]
+}
+
+@test "limits of ESP-r are said with the place in the control file" {
+  { cat control.toml; printf '[[circuit]]\nname = "slow"\nwatts = 10\nsensors = ["workplane[0]"]\nlaw = "dimming"\ndelay = 9\n'; } > slow.toml
+  run dimout levels side.lum --weather site.epw --control slow.toml --format cgc -o slow.cgc
+  [ "$status" -eq 3 ]
+  [[ "$output" == *"slow.toml:15:"*"circuit 'slow': "*"a delay of 9 steps, ESP-r takes 0..6"* ]]
+  { cat control.toml; for n in 3 4 5; do
+    printf '[[circuit]]\nname = "c%s"\nwatts = 10\nsensors = ["workplane[0]"]\nlaw = "dimming"\n' $n; done; } > five.toml
+  run dimout levels side.lum --weather site.epw --control five.toml --format cgc -o five.cgc
+  [ "$status" -eq 3 ]
+  [[ "$output" == *"five.toml:25:"*"5 lighting zones, ESP-r takes 1..4"* ]]
+  [ ! -e five.cgc ]
+}
+
+@test "a beam without sun is left out and said" {
+  sed 's/^\(2001,1,1,2,.*,300,\)0,0,0,/\10,500,0,/' site.epw > night.epw
+  run --separate-stderr dimout annual side.lum --weather night.epw --stats
+  [ "$status" -eq 0 ]
+  [[ "$stderr" == *"night.epw: 1 of 8760 steps have direct radiation with the sun below the horizon"* ]]
+  run --separate-stderr dimout levels side.lum --control control.toml --at -5 150 500 100
+  [ "$status" -eq 0 ]
+  [[ "$stderr" == *"beam is left out"* ]]
 }

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "catch.hpp"
+#include "climate/blinds.hpp"
 #include "climate/metrics.hpp"
 #include "sky/direction.hpp"
 #include "sky/weather_light.hpp"
@@ -203,6 +204,37 @@ TEST_CASE("A plane is judged by half and by 95 per cent of its points", "[climat
   CHECK(provision_of(299.0, 100.0) == Provision::none);
   CHECK(provision_of(800.0, 300.0) == Provision::medium);
   CHECK(provision_of(750.0, 500.0) == Provision::high);
+}
+
+TEST_CASE("Windows that change give each step the light of the state that they are in", "[climate][annual][unit]") {
+  const std::vector<Vec3> up = {{0, 0, 1}};
+  const auto sky = annual_sky(some_days(), 1, 0.2);
+  WindowPart open{open_sensors(1, up), open_sun(up), {}, true};
+  WindowPart closed{open_sensors(1, up, 1.0), [](const Vec3&, std::size_t, std::span<float> f) {
+                      std::fill(f.begin(), f.end(), 0.0F);
+                    }, {}, false};
+  for (std::size_t i = 0; i < sky.lit.size(); ++i) {
+    open.active.push_back(i % 3 != 0);
+    closed.active.push_back(i % 3 == 0);
+  }
+  PointBlock always_open, always_closed;
+  annual_illuminance(sky, open.coefficients, open.sun, [&](const PointBlock& block) { always_open = block; });
+  annual_illuminance(sky, closed.coefficients, closed.sun, [&](const PointBlock& block) { always_closed = block; });
+  annual_illuminance(sky, std::vector<WindowPart>{open, closed}, [&](const PointBlock& block) {
+    for (std::size_t i = 0; i < sky.lit.size(); ++i) {
+      const PointBlock& expected = i % 3 == 0 ? always_closed : always_open;
+      CHECK(block.sky(0)[sky.lit[i]] == expected.sky(0)[sky.lit[i]]);
+      CHECK(block.sun(0)[sky.lit[i]] == expected.sun(0)[sky.lit[i]]);
+      CHECK(block.direct_sun(0)[sky.lit[i]] == always_open.direct_sun(0)[sky.lit[i]]);
+    }
+  });
+}
+
+TEST_CASE("Blinds close above one level and open below another", "[climate][unit]") {
+  CHECK(closed_by_level({0, 100, 160, 120, 100, 120}, 150, 110) ==
+        std::vector<bool>{false, false, true, true, false, false});
+  // One level: closed while above it.
+  CHECK(closed_by_level({0.02, 0.03, 0.02}, 0.02, 0.02) == std::vector<bool>{false, true, false});
 }
 
 TEST_CASE("Daylight hours are the brightest half of the year", "[climate][metrics][unit]") {

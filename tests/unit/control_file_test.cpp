@@ -113,6 +113,30 @@ TEST_CASE("Circuits use the mean of their sensors, and energy adds up", "[climat
   CHECK(leni_kWh_m2({energy, energy}, 10.0) == Approx(0.2 * (energy.lamps_kWh + energy.standby_kWh)));
 }
 
+TEST_CASE("A control file says when blinds close", "[climate][control][unit]") {
+  const auto plan = read_control(
+      "dim = \"control/1\"\n"
+      "[[blind]]\nwindows = \"south\"\nclosed = \"blind\"\nlaw = \"direct-sun\"\npoints = [\"workplane\"]\n"
+      "[[blind]]\nwindows = \"west\"\nclosed = \"screen\"\nlaw = \"irradiance\"\nclose_above = 150\n",
+      "c.toml");
+  REQUIRE(plan.blinds.size() == 2);
+  CHECK(plan.blinds[0].law == BlindLaw::direct_sun);
+  CHECK(plan.blinds[0].most_sun_lx == 1000.0);
+  CHECK(plan.blinds[0].most_points == 0.02);
+  CHECK(plan.blinds[0].points == std::vector<std::string>{"workplane"});
+  CHECK(plan.blinds[1].law == BlindLaw::irradiance);
+  CHECK(plan.blinds[1].open_below == 150.0);
+  const auto bad = [](const std::string& rest) {
+    return [rest] {
+      read_control("dim = \"control/1\"\n[[blind]]\nwindows = \"a\"\nclosed = \"b\"\n" + rest, "c.toml");
+    };
+  };
+  CHECK_THROWS_WITH(bad("law = \"dusk\"")(), Catch::Contains("c.toml:5"));
+  CHECK_THROWS_WITH(bad("law = \"irradiance\"")(), Catch::Contains("close_above"));
+  CHECK_THROWS_WITH(bad("law = \"illuminance\"\nclose_above = 10\nopen_below = 20")(), Catch::Contains("opens below"));
+  CHECK_THROWS_WITH(bad("law = \"direct-sun\"\nclose_above = 10")(), Catch::Contains("close_above"));
+}
+
 TEST_CASE("A zone lighting level file has a row a step", "[esp][unit]") {
   ZoneLightingLevels levels;
   levels.about = {{"weather", "a.epw"}};

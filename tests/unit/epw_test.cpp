@@ -112,6 +112,10 @@ TEST_CASE("What is wrong in a weather file is said with its line", "[sky][epw][u
   refused(changed(good, ",300,100,", ",abc,100,"), "'abc' is not a number");
   refused(changed(good, "2003,1,1,2,60", "2003,13,1,2,60"), "a.epw:10: month 13 is outside 1..12");
   refused(changed(good, "2003,1,1,2,60", "2003,1,32,2,60"), "day 32 is outside");
+  // Rows after a wrong one are read on: all problems together.
+  refused(changed(changed(good, "2003,1,1,2,60", "2003,13,1,2,60"), ",300,100,", ",-1,100,"), "month 13 is outside");
+  refused(changed(changed(good, "2003,1,1,1,60", "2003,13,1,1,60"), ",300,100,", ",-1,100,"),
+          "direct normal radiation -1 is outside");
   refused(changed(good, "2003,1,1,2,60", "2003,1,1,25,60"), "hour 25 is outside 1..24");
   refused(changed(good, "2003,1,1,2,60", "2003,1,1,3,60"),
           "a.epw:10: the row of 1/1 hour 3 follows that of 1/1 hour 1");

@@ -214,3 +214,14 @@ vertices = [[0,4,0],[0,4,2],[0,0,2],[0,0,0]]
   CHECK(warnings.empty());
   CHECK(zone.volume_m3 == Approx(52).epsilon(1e-13));
 }
+
+TEST_CASE("Glass on a box is refused: it has the zone on both sides", "[scene][unit]") {
+  const std::string box = "glass = { kind = \"glazing\", transmittance = 0.7 }\n";
+  std::string text = kRoom;
+  text.insert(text.find("[[surface]]"), box);
+  text += "[[box]]\nname = \"b\"\nfinish = \"wall\"\ncorner = [1,1,0]\nsize = [1,1,1]\n[[surface]]\nname = \"pane\"\n"
+          "on = \"b.top\"\nfinish = \"glass\"\nvertices = [[1.2,1.2,1],[1.8,1.2,1],[1.8,1.8,1],[1.2,1.8,1]]\n";
+  const auto problems = problems_of(text);
+  REQUIRE(problems.size() == 1);
+  CHECK_THAT(problems[0], Catch::Contains("'pane' is glazed, but not part of the zone's shell"));
+}

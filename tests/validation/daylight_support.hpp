@@ -87,9 +87,9 @@ struct DaylitRoom {
   }
 };
 
-inline DaylitRoom daylit(const std::string& zone_text, const std::string& sky, const PatchGrid& patches = {6, 12}) {
+inline DaylitRoom daylit(Zone zone, const std::string& sky, const PatchGrid& patches = {6, 12}) {
   DaylitRoom room;
-  room.zone = read(zone_text);
+  room.zone = std::move(zone);
   Warnings warnings;
   const Lights lights = read_lights("dim = \"lights/1\"\n[sky]\n" + sky, "lights.toml", {}, room.zone, {}, warnings);
   const Cells cells(room.zone);
@@ -98,6 +98,10 @@ inline DaylitRoom daylit(const std::string& zone_text, const std::string& sky, c
   const Network network = build_network(room.zone, cells, options, Job{});
   room.solution = simulate(room.zone, cells, network, lights, {}, Job{}, warnings);
   return room;
+}
+
+inline DaylitRoom daylit(const std::string& zone_text, const std::string& sky, const PatchGrid& patches = {6, 12}) {
+  return daylit(read(zone_text), sky, patches);
 }
 
 /// Walls of one grey, floor first; what a surface of the zone file has beside is added as text.

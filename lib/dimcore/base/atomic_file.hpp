@@ -42,6 +42,10 @@ class AtomicFile {
   void write(std::span<const std::byte> bytes);
   void write(std::string_view text);
 
+  /// Where a library that writes by name is to put its bytes, in place of `write`; empty where they go straight to a
+  /// pipe or device.
+  const std::string& temporary() const { return temporary_; }
+
   /// Puts the file in its place. To be called once, last.
   /// @throws IoError  as write
   void commit();

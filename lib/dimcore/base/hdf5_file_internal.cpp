@@ -91,6 +91,36 @@ Handle fixed_string_type(std::size_t n_bytes) {
   return type;
 }
 
+void require(bool success, const std::string& path) {
+  if (!success) throw InternalError("'" + path + "' cannot be written into the file" + reason());
+}
+
+Handle dataspace(const Shape& shape) {
+  if (shape.empty()) return {H5Screate(H5S_SCALAR), H5Sclose};
+  const std::vector<hsize_t> sizes(shape.begin(), shape.end());
+  return {H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr), H5Sclose};
+}
+
+Handle timeless(hid_t property_class) {
+  Handle properties(H5Pcreate(property_class), H5Pclose);
+  H5Pset_obj_track_times(properties.get(), false);
+  return properties;
+}
+
+void write_value(hid_t object, const std::string& path, const std::string& name, hid_t type, const void* value) {
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Handle made(H5Acreate2(object, name.c_str(), type, space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  require(made && H5Awrite(made.get(), type, value) >= 0, path + "@" + name);
+}
+
+void write_text(hid_t object, const std::string& path, const std::string& name, const std::string& value) {
+  if (value.find('\0') != std::string::npos) throw InternalError("'" + path + "@" + name + "' holds a NUL");
+  const std::size_t width = std::max<std::size_t>(value.size(), 1);
+  std::string padded = value;
+  padded.resize(width, '\0');
+  write_value(object, path, name, fixed_string_type(width).get(), padded.data());
+}
+
 std::vector<std::string> levels(const std::string& path) {
   std::vector<std::string> found;
   for (std::size_t at = 0; at < path.size(); ++at) {

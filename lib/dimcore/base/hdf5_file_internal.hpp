@@ -49,6 +49,19 @@ const char* name_of(ElementType type);
 /// UTF-8 text of exactly `n_bytes` >= 1.
 Handle fixed_string_type(std::size_t n_bytes);
 
+/// A text attribute of an object. @param path  of the object, for messages
+/// @throws InternalError  written twice, or a NUL in it
+void write_text(hid_t object, const std::string& path, const std::string& name, const std::string& value);
+/// A single value. @throws InternalError  written twice
+void write_value(hid_t object, const std::string& path, const std::string& name, hid_t type, const void* value);
+
+/// Without times, so that equal content gives equal bytes.
+Handle timeless(hid_t property_class);
+Handle dataspace(const Shape& shape);
+
+/// @throws InternalError  unless `success`
+void require(bool success, const std::string& path);
+
 /// "/a/b/c" → "/a", "/a/b", "/a/b/c"; "/" → nothing.
 std::vector<std::string> levels(const std::string& path);
 

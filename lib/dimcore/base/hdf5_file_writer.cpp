@@ -12,19 +12,14 @@
 
 namespace dim {
 
+using hdf5::dataspace;
 using hdf5::Handle;
+using hdf5::require;
+using hdf5::timeless;
 
 namespace {
 
 constexpr std::size_t kIncrement_bytes = std::size_t{256} << 10;
-
-[[noreturn]] void throw_unwritten(const std::string& path) {
-  throw InternalError("'" + path + "' cannot be written into the file" + hdf5::reason());
-}
-
-void require(bool success, const std::string& path) {
-  if (!success) throw_unwritten(path);
-}
 
 std::size_t product(const Shape& shape, const std::string& path) {
   std::size_t n = 1;
@@ -32,19 +27,6 @@ std::size_t product(const Shape& shape, const std::string& path) {
     if (__builtin_mul_overflow(n, size, &n)) throw InternalError("dataset '" + path + "': too many elements");
   }
   return n;
-}
-
-Handle dataspace(const Shape& shape) {
-  if (shape.empty()) return {H5Screate(H5S_SCALAR), H5Sclose};
-  const std::vector<hsize_t> sizes(shape.begin(), shape.end());
-  return {H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr), H5Sclose};
-}
-
-/// Without times, so that equal content gives equal bytes.
-Handle timeless(hid_t property_class) {
-  Handle properties(H5Pcreate(property_class), H5Pclose);
-  H5Pset_obj_track_times(properties.get(), false);
-  return properties;
 }
 
 Handle utf8_links() {
@@ -65,10 +47,6 @@ struct Hdf5Writer::Impl {
 
   void make_group(const std::string& path) const;
   Handle make_dataset(const std::string& path, hid_t type, const Handle& space) const;
-  void write_attribute(hid_t object, const std::string& path, const std::string& name, hid_t type,
-                       const void* value) const;
-  void write_text_attribute(hid_t object, const std::string& path, const std::string& name,
-                            const std::string& value) const;
   std::span<std::byte> image() const;
 };
 
@@ -92,22 +70,6 @@ Handle Hdf5Writer::Impl::make_dataset(const std::string& path, hid_t type, const
       H5Dclose);
   require(bool(set), path);
   return set;
-}
-
-void Hdf5Writer::Impl::write_attribute(hid_t object, const std::string& path, const std::string& name,
-                                       hid_t type, const void* value) const {
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  const Handle made(H5Acreate2(object, name.c_str(), type, space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  require(made && H5Awrite(made.get(), type, value) >= 0, path + "@" + name);
-}
-
-void Hdf5Writer::Impl::write_text_attribute(hid_t object, const std::string& path, const std::string& name,
-                                            const std::string& value) const {
-  if (value.find('\0') != std::string::npos) throw InternalError("'" + path + "@" + name + "' holds a NUL");
-  const std::size_t width = std::max<std::size_t>(value.size(), 1);
-  std::string padded = value;
-  padded.resize(width, '\0');
-  write_attribute(object, path, name, hdf5::fixed_string_type(width).get(), padded.data());
 }
 
 /// The whole file as the core driver holds it, its first bytes the still empty user block.
@@ -158,7 +120,7 @@ Handle open_object(const Handle& file, const std::string& path) {
 
 void Hdf5Writer::attribute(const std::string& path, const std::string& name, const std::string& value) {
   impl_->make_group(path);
-  impl_->write_text_attribute(open_object(impl_->file, path).get(), path, name, value);
+  hdf5::write_text(open_object(impl_->file, path).get(), path, name, value);
 }
 
 void Hdf5Writer::attribute(const std::string& path, const std::string& name, const char* value) {
@@ -167,12 +129,12 @@ void Hdf5Writer::attribute(const std::string& path, const std::string& name, con
 
 void Hdf5Writer::attribute(const std::string& path, const std::string& name, double value) {
   impl_->make_group(path);
-  impl_->write_attribute(open_object(impl_->file, path).get(), path, name, H5T_IEEE_F64LE, &value);
+  hdf5::write_value(open_object(impl_->file, path).get(), path, name, H5T_IEEE_F64LE, &value);
 }
 
 void Hdf5Writer::attribute(const std::string& path, const std::string& name, std::int64_t value) {
   impl_->make_group(path);
-  impl_->write_attribute(open_object(impl_->file, path).get(), path, name, H5T_STD_I64LE, &value);
+  hdf5::write_value(open_object(impl_->file, path).get(), path, name, H5T_STD_I64LE, &value);
 }
 
 void Hdf5Writer::write_array(const std::string& path, ElementType type, const void* data,
@@ -189,8 +151,8 @@ void Hdf5Writer::write_array(const std::string& path, ElementType type, const vo
     throw LimitError(fmt::format("dataset '{}': not enough memory for its {}{}", path, size_in_words(size),
                                  hdf5::reason()));
   }
-  impl_->write_text_attribute(set.get(), path, "unit", unit);
-  if (!description.empty()) impl_->write_text_attribute(set.get(), path, "description", description);
+  hdf5::write_text(set.get(), path, "unit", unit);
+  if (!description.empty()) hdf5::write_text(set.get(), path, "description", description);
 }
 
 void Hdf5Writer::strings(const std::string& path, const std::vector<std::string>& values) {
@@ -204,7 +166,7 @@ void Hdf5Writer::strings(const std::string& path, const std::vector<std::string>
   const Handle type = hdf5::fixed_string_type(width);
   const Handle set = impl_->make_dataset(path, type.get(), dataspace({values.size()}));
   require(bytes.empty() || H5Dwrite(set.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()) >= 0, path);
-  impl_->write_text_attribute(set.get(), path, "unit", "1");
+  hdf5::write_text(set.get(), path, "unit", "1");
 }
 
 void Hdf5Writer::text(const std::string& path, const std::string& value) {
@@ -214,7 +176,7 @@ void Hdf5Writer::text(const std::string& path, const std::string& value) {
   const Handle set = impl_->make_dataset(path, type.get(), space);
   require(value.empty() || H5Dwrite(set.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, value.data()) >= 0,
           path);
-  impl_->write_text_attribute(set.get(), path, "unit", "1");
+  hdf5::write_text(set.get(), path, "unit", "1");
 }
 
 std::string Hdf5Writer::write(const std::string& path, const Job& job) && {

@@ -52,48 +52,91 @@ struct LaneCoefficients {
   }
 };
 
-struct Year {
-  const AnnualSky& sky;
+/// A `WindowPart` without what it owns.
+struct Part {
   const DaylightCoefficients& coefficients;
   const SunFactors& sun;
-  std::vector<ReflectedSun> suns;
+  std::vector<std::size_t> active;  // places among the lit steps
+  std::vector<bool> is_active;      // [n_lit]
+  bool counts_as_direct;
 };
 
-void add_sky(const Year& year, const LaneCoefficients& lanes, std::size_t in_block, std::size_t count,
+Part part_of(const AnnualSky& sky, const DaylightCoefficients& coefficients, const SunFactors& sun,
+             std::vector<bool> active, bool counts_as_direct) {
+  if (active.empty()) active.assign(sky.lit.size(), true);
+  Part part{coefficients, sun, {}, std::move(active), counts_as_direct};
+  for (std::size_t i = 0; i < part.is_active.size(); ++i)
+    if (part.is_active[i]) part.active.push_back(i);
+  return part;
+}
+
+/// Points of a block that are computed together.
+struct Lanes {
+  std::size_t in_block, count;
+};
+
+void add_sky(const AnnualSky& sky, const Part& part, const LaneCoefficients& coefficients, const Lanes& lanes,
              PointBlock& block) {
-  const std::size_t n_rows = year.sky.patches.size() + 1, n_lit = year.sky.lit.size();
-  std::vector<float> padded(kStepLanes * n_rows);
+  const std::size_t n_rows = sky.patches.size() + 1;
+  std::vector<float> luminance(kStepLanes * n_rows);
   std::array<float, kStepLanes * kPointLanes> sums;
-  for (std::size_t i = 0; i < n_lit; i += kStepLanes) {
-    const float* luminance = &year.sky.luminance_cd_m2[i * n_rows];
-    const std::size_t n = std::min(kStepLanes, n_lit - i);
-    if (n < kStepLanes) {
-      std::copy_n(luminance, n * n_rows, padded.begin());
-      luminance = padded.data();
-    }
-    multiply_steps(luminance, lanes.total.data(), n_rows, sums.data());
+  for (std::size_t i = 0; i < part.active.size(); i += kStepLanes) {
+    const std::size_t n = std::min(kStepLanes, part.active.size() - i);
     for (std::size_t step = 0; step < n; ++step)
-      for (std::size_t k = 0; k < count; ++k)
-        block.sky_lx[(in_block + k) * block.n_steps + year.sky.lit[i + step]] = sums[step * kPointLanes + k];
+      std::copy_n(&sky.luminance_cd_m2[part.active[i + step] * n_rows], n_rows,
+                  luminance.begin() + static_cast<std::ptrdiff_t>(step * n_rows));
+    multiply_steps(luminance.data(), coefficients.total.data(), n_rows, sums.data());
+    for (std::size_t step = 0; step < n; ++step)
+      for (std::size_t k = 0; k < lanes.count; ++k)
+        block.sky_lx[(lanes.in_block + k) * block.n_steps + sky.lit[part.active[i + step]]] +=
+            sums[step * kPointLanes + k];
   }
 }
 
-void add_sun(const Year& year, const LaneCoefficients& lanes, std::size_t in_block, std::size_t count,
-             PointBlock& block) {
+void add_sun(const AnnualSky& sky, const Part& part, const std::vector<ReflectedSun>& suns,
+             const LaneCoefficients& coefficients, const Lanes& lanes, PointBlock& block) {
   std::array<float, kPointLanes> factors;
-  for (std::size_t i = 0; i < year.sky.lit.size(); ++i) {
-    if (year.sky.sun_normal_lx[i] <= 0.0) continue;
-    year.sun(year.sky.sun[i], block.first + in_block, std::span(factors).first(count));
-    const ReflectedSun& reflected = year.suns[i];
-    for (std::size_t k = 0; k < count; ++k) {
-      const auto direct = static_cast<float>(static_cast<double>(factors[k]) * year.sky.sun_normal_lx[i]);
+  for (std::size_t i = 0; i < sky.lit.size(); ++i) {
+    if (sky.sun_normal_lx[i] <= 0.0 || !(part.is_active[i] || part.counts_as_direct)) continue;
+    part.sun(sky.sun[i], block.first + lanes.in_block, std::span(factors).first(lanes.count));
+    const ReflectedSun& reflected = suns[i];
+    for (std::size_t k = 0; k < lanes.count; ++k) {
+      const auto direct = static_cast<float>(static_cast<double>(factors[k]) * sky.sun_normal_lx[i]);
+      const std::size_t at = (lanes.in_block + k) * block.n_steps + sky.lit[i];
+      if (part.counts_as_direct) block.direct_sun_lx[at] += direct;
+      if (!part.is_active[i]) continue;
       float sum = direct;
       for (std::size_t j = 0; j < reflected.n; ++j)
-        sum += reflected.luminance_cd_m2[j] * lanes.reflected[reflected.patch[j] * kPointLanes + k];
-      const std::size_t at = (in_block + k) * block.n_steps + year.sky.lit[i];
-      block.direct_sun_lx[at] = direct;
-      block.sun_lx[at] = sum;
+        sum += reflected.luminance_cd_m2[j] * coefficients.reflected[reflected.patch[j] * kPointLanes + k];
+      block.sun_lx[at] += sum;
     }
+  }
+}
+
+void add_parts(const AnnualSky& sky, const std::vector<Part>& parts, const std::function<void(const PointBlock&)>& each,
+               const Job& job) {
+  const std::size_t n_points = parts.front().coefficients.n_points;
+  const auto suns = reflected_suns(sky);
+  for (std::size_t first = 0; first < n_points; first += kBlockPoints) {
+    PointBlock block;
+    block.first = first;
+    block.n_points = std::min(kBlockPoints, n_points - first);
+    block.n_steps = sky.n_steps;
+    for (auto* values : {&block.sky_lx, &block.sun_lx, &block.direct_sun_lx})
+      values->assign(block.n_points * sky.n_steps, 0.0F);
+    const std::size_t n_groups = (block.n_points + kPointLanes - 1) / kPointLanes;
+    tbb::parallel_for(std::size_t{0}, n_groups, [&](std::size_t group) {
+      job.check();
+      const std::size_t in_block = group * kPointLanes;
+      const Lanes lanes{in_block, std::min(kPointLanes, block.n_points - in_block)};
+      for (const auto& part : parts) {
+        const LaneCoefficients coefficients(part.coefficients, first + in_block, lanes.count);
+        add_sky(sky, part, coefficients, lanes, block);
+        add_sun(sky, part, suns, coefficients, lanes, block);
+      }
+    });
+    each(block);
+    job.report("year", static_cast<double>(first + block.n_points) / static_cast<double>(n_points));
   }
 }
 
@@ -102,6 +145,7 @@ void make_room(AnnualSky& sky) {
   sky.luminance_cd_m2.resize(sky.lit.size() * (sky.patches.size() + 1));
   sky.sun.resize(sky.lit.size());
   sky.sun_normal_lx.resize(sky.lit.size());
+  sky.irradiance.resize(sky.lit.size());
 }
 
 /// @param i  place among the lit steps
@@ -131,44 +175,36 @@ AnnualSky annual_sky(const Weather& weather, int subdivision, double ground_refl
   make_room(sky);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, sky.lit.size()), [&](const auto& range) {
     job.check();
-    for (std::size_t i = range.begin(); i < range.end(); ++i)
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      sky.irradiance[i] = weather.steps[sky.lit[i]].irradiance;
       set_step(sky_and_sun_of(weather, weather.steps[sky.lit[i]]), ground_reflectance, i, sky);
+    }
   });
   return sky;
 }
 
-AnnualSky sky_of_moment(const SkyAndSun& light, int subdivision, double ground_reflectance) {
+AnnualSky sky_of_moment(const SkyAndSun& light, int subdivision, double ground_reflectance,
+                        const Irradiance& irradiance) {
   AnnualSky sky(subdivision);
   sky.n_steps = 1;
   sky.lit = {0};
   make_room(sky);
+  sky.irradiance[0] = irradiance;
   set_step(light, ground_reflectance, 0, sky);
   return sky;
 }
 
 void annual_illuminance(const AnnualSky& sky, const DaylightCoefficients& coefficients, const SunFactors& sun,
                         const std::function<void(const PointBlock&)>& each, const Job& job) {
-  const Year year{sky, coefficients, sun, reflected_suns(sky)};
-  for (std::size_t first = 0; first < coefficients.n_points; first += kBlockPoints) {
-    PointBlock block;
-    block.first = first;
-    block.n_points = std::min(kBlockPoints, coefficients.n_points - first);
-    block.n_steps = sky.n_steps;
-    for (auto* part : {&block.sky_lx, &block.sun_lx, &block.direct_sun_lx})
-      part->assign(block.n_points * sky.n_steps, 0.0F);
-    const std::size_t n_groups = (block.n_points + kPointLanes - 1) / kPointLanes;
-    tbb::parallel_for(std::size_t{0}, n_groups, [&](std::size_t group) {
-      job.check();
-      const std::size_t in_block = group * kPointLanes,
-                        count = std::min(kPointLanes, block.n_points - in_block);
-      const LaneCoefficients lanes(coefficients, first + in_block, count);
-      add_sky(year, lanes, in_block, count, block);
-      add_sun(year, lanes, in_block, count, block);
-    });
-    each(block);
-    job.report("year",
-               static_cast<double>(first + block.n_points) / static_cast<double>(coefficients.n_points));
-  }
+  add_parts(sky, {part_of(sky, coefficients, sun, {}, true)}, each, job);
+}
+
+void annual_illuminance(const AnnualSky& sky, const std::vector<WindowPart>& parts,
+                        const std::function<void(const PointBlock&)>& each, const Job& job) {
+  std::vector<Part> all;
+  for (const auto& part : parts)
+    all.push_back(part_of(sky, part.coefficients, part.sun, part.active, part.counts_as_direct));
+  if (!all.empty()) add_parts(sky, all, each, job);
 }
 
 }  // namespace dim

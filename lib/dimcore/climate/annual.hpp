@@ -21,6 +21,7 @@ struct AnnualSky {
   std::vector<float> luminance_cd_m2;     ///< [n_lit, n_patches + 1], the ground last
   std::vector<Vec3> sun;                  ///< [n_lit] towards it, x east, y north, z up
   std::vector<double> sun_normal_lx;      ///< [n_lit] across its beam; 0 where it does not shine
+  std::vector<Irradiance> irradiance;     ///< [n_lit] as the weather has it
   std::vector<double> sky_horizontal_lx;  ///< [n_steps]
 };
 
@@ -28,7 +29,16 @@ struct AnnualSky {
 AnnualSky annual_sky(const Weather& weather, int subdivision, double ground_reflectance, const Job& job = {});
 
 /// One moment, as a year of one step.
-AnnualSky sky_of_moment(const SkyAndSun& light, int subdivision, double ground_reflectance);
+AnnualSky sky_of_moment(const SkyAndSun& light, int subdivision, double ground_reflectance,
+                        const Irradiance& irradiance = {});
+
+/// Light through some windows in one state, and when they are in it.
+struct WindowPart {
+  DaylightCoefficients coefficients;
+  SunFactors sun;
+  std::vector<bool> active;      ///< [n_lit] steps that its light counts at; empty: all
+  bool counts_as_direct = true;  ///< its sun is in `direct_sun_lx`, at all steps
+};
 
 /// Illuminance of some points at every step, by parts.
 struct PointBlock {
@@ -37,7 +47,9 @@ struct PointBlock {
   std::size_t n_steps = 0;
   std::vector<float> sky_lx;         ///< [n_points, n_steps]: sky and ground, direct and reflected
   std::vector<float> sun_lx;         ///< [n_points, n_steps]: the sun's, direct and reflected
-  std::vector<float> direct_sun_lx;  ///< [n_points, n_steps]: of it what comes straight
+  /// [n_points, n_steps]: what comes straight from the sun; where windows change their state, in the one they have as
+  /// long as nobody operates them
+  std::vector<float> direct_sun_lx;
 
   std::span<const float> sky(std::size_t point) const { return row(sky_lx, point); }
   std::span<const float> sun(std::size_t point) const { return row(sun_lx, point); }
@@ -57,6 +69,10 @@ struct PointBlock {
 /// @throws Interrupted
 /// @error 1e-6 of the sum: single precision over the patches
 void annual_illuminance(const AnnualSky& sky, const DaylightCoefficients& coefficients, const SunFactors& sun,
+                        const std::function<void(const PointBlock&)>& each, const Job& job = {});
+
+/// The same of windows that change: the sum of their parts. @param parts  of the same points
+void annual_illuminance(const AnnualSky& sky, const std::vector<WindowPart>& parts,
                         const std::function<void(const PointBlock&)>& each, const Job& job = {});
 
 }  // namespace dim

@@ -102,6 +102,33 @@ CircuitPlan read_circuit(const TomlTable& table, const OccupancyPlan& usual) {
   return circuit;
 }
 
+BlindPlan read_blind(const TomlTable& table) {
+  static const std::vector<std::string> kLaws = {"direct-sun", "irradiance", "illuminance"};
+  BlindPlan blind;
+  blind.place = table.place();
+  if (table.require("windows", "a group of windows")) blind.windows = table.text("windows").value_or("");
+  if (table.require("closed", "the state of the windows while closed"))
+    blind.closed = table.text("closed").value_or("");
+  if (table.require("law", "one of direct-sun, irradiance, illuminance"))
+    if (const auto word = table.word("law", kLaws))
+      blind.law = static_cast<BlindLaw>(std::find(kLaws.begin(), kLaws.end(), *word) - kLaws.begin());
+  if (blind.law == BlindLaw::direct_sun) {
+    blind.most_sun_lx = table.number_or("direct_sun", kLux, blind.most_sun_lx);
+    blind.most_points = table.number_or("share", kFraction, blind.most_points);
+    blind.points = table.texts("points").value_or(std::vector<std::string>{});
+  } else {
+    table.require("close_above", blind.law == BlindLaw::irradiance ? "W/m2 on the glass" : "lx on the glass");
+    blind.close_above = table.number_or("close_above", kPositive, 0.0);
+    blind.open_below = table.number_or("open_below", kNotNegative, blind.close_above);
+    if (blind.open_below > blind.close_above)
+      table.problem("open_below", fmt::format("it opens below {} and closes above {}", blind.open_below,
+                                              blind.close_above),
+                    "open_below is at most close_above");
+  }
+  table.refuse_unknown();
+  return blind;
+}
+
 }  // namespace
 
 ControlPlan read_control(std::string_view text, const std::string& file,
@@ -121,8 +148,9 @@ ControlPlan read_control(std::string_view text, const std::string& file,
     if (!names.insert(plan.circuits.back().name).second)
       table.problem("name", fmt::format("a second circuit '{}'", plan.circuits.back().name), "");
   }
+  for (const auto& table : root.tables("blind")) plan.blinds.push_back(read_blind(table));
   root.refuse_unknown();
-  if (plan.circuits.empty() && problems.empty())
+  if (plan.circuits.empty() && plan.blinds.empty() && problems.empty())
     problems.add({file, 1, 1}, "the file has no circuit", "write at least one [[circuit]]");
   problems.throw_if_any();
   return plan;

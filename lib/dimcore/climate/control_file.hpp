@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "climate/blinds.hpp"
 #include "climate/control_law.hpp"
 #include "climate/occupancy.hpp"
 
@@ -35,6 +36,7 @@ struct CircuitPlan {
 struct ControlPlan {
   std::optional<double> area_m2;  ///< that LENI is stated for; else that of the floors
   std::vector<CircuitPlan> circuits;
+  std::vector<BlindPlan> blinds;
 };
 
 /// @param overrides  `--set KEY=VALUE`, see parse_toml

@@ -26,12 +26,19 @@ SunFactors at_points(const SunFactors& sun, const std::vector<std::size_t>& poin
   };
 }
 
+std::vector<WindowPart> at_points(const std::vector<WindowPart>& parts, const std::vector<std::size_t>& points) {
+  std::vector<WindowPart> some;
+  for (const auto& part : parts)
+    some.push_back({at_points(part.coefficients, points), at_points(part.sun, points), part.active,
+                    part.counts_as_direct});
+  return some;
+}
+
 std::vector<SensorYear> sensor_years(const std::vector<std::string>& names, const AnnualSky& sky,
-                                     const DaylightCoefficients& coefficients, const SunFactors& sun,
-                                     const Job& job) {
+                                     const std::vector<WindowPart>& parts, const Job& job) {
   std::vector<SensorYear> years;
   annual_illuminance(
-      sky, coefficients, sun,
+      sky, parts,
       [&](const PointBlock& block) {
         for (std::size_t p = 0; p < block.n_points; ++p) {
           const auto of_sky = block.sky(p), of_sun = block.sun(p);

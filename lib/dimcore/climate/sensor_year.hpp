@@ -12,11 +12,11 @@ namespace dim {
 DaylightCoefficients at_points(const DaylightCoefficients& coefficients,
                                const std::vector<std::size_t>& points);
 SunFactors at_points(const SunFactors& sun, const std::vector<std::size_t>& points);
+std::vector<WindowPart> at_points(const std::vector<WindowPart>& parts, const std::vector<std::size_t>& points);
 
 /// What sensors measure at every step, from daylight coefficients. @throws Interrupted
 std::vector<SensorYear> sensor_years(const std::vector<std::string>& names, const AnnualSky& sky,
-                                     const DaylightCoefficients& coefficients, const SunFactors& sun,
-                                     const Job& job = {});
+                                     const std::vector<WindowPart>& parts, const Job& job = {});
 
 /// The same by the paper's equation (24), from daylight factors. @param factors  0..1, [n_sensors]
 std::vector<SensorYear> paper_sensor_years(const std::vector<std::string>& names, const Weather& weather,

@@ -43,19 +43,6 @@ bool is_chosen(const Source& source, const WindowStates& asked) {
   return wanted == asked.end() ? source.daylight->as_it_stands : source.daylight->state == wanted->second;
 }
 
-/// What brings a source's reflected light to the flux that it sends in. A single patch is met by few of the
-/// rays that cells see the sky by: all patches together are right, one of them may be off by a quarter, and
-/// says so.
-double flux_correction(const Source& source) {
-  constexpr double kMost = 4.0;
-  double emitted = 0.0, found = 0.0;
-  for (const auto& band : source.energy) {
-    emitted += band.emitted_W;
-    found += band.emitted_W * (1.0 - band.imbalance);
-  }
-  return found > 0.0 ? std::clamp(emitted / found, 1.0 / kMost, kMost) : 1.0;
-}
-
 /// Adds transfer [n_classes, n_points] weighted with what each class gives of the source's light.
 void add_transfer(const std::vector<float>& transfer, const std::vector<Vec3>& xyz, std::size_t n_points,
                   float* row) {
@@ -88,7 +75,7 @@ std::vector<std::string> window_groups(const LuminanceDatabase& database) {
 }
 
 DaylightCoefficients stored_coefficients(const LuminanceDatabase& database, const WindowStates& states,
-                                         const std::string& group) {
+                                         const std::vector<std::string>& groups) {
   if (!database.sky() || database.sky()->subdivision == 0)
     throw InputError(
         Problem{{},
@@ -105,7 +92,8 @@ DaylightCoefficients stored_coefficients(const LuminanceDatabase& database, cons
   c.direct_lx = c.total_lx;
   for (std::size_t s = 0; s < database.sources().size() && c.n_points > 0; ++s) {
     const Source& source = database.sources()[s];
-    if (!source.daylight || !is_chosen(source, states) || (!group.empty() && source.group != group)) continue;
+    const bool of_group = groups.empty() || std::find(groups.begin(), groups.end(), source.group) != groups.end();
+    if (!source.daylight || !of_group || !is_chosen(source, states)) continue;
     const std::size_t patch = source.daylight->part == DaylightPart::ground
                                   ? patches.ground()
                                   : static_cast<std::size_t>(source.daylight->patch);
@@ -113,10 +101,9 @@ DaylightCoefficients stored_coefficients(const LuminanceDatabase& database, cons
     std::vector<float> total(c.n_points, 0.0F), direct(c.n_points, 0.0F);
     add_transfer(database.transfer(TransferPart::point_total, s), xyz, c.n_points, total.data());
     add_transfer(database.transfer(TransferPart::point_direct, s), xyz, c.n_points, direct.data());
-    const auto correction = static_cast<float>(flux_correction(source));
     for (std::size_t i = 0; i < c.n_points; ++i) {
       c.direct_lx[patch * c.n_points + i] += direct[i];
-      c.total_lx[patch * c.n_points + i] += direct[i] + correction * (total[i] - direct[i]);
+      c.total_lx[patch * c.n_points + i] += total[i];
     }
   }
   return c;

@@ -17,12 +17,11 @@ using WindowStates = std::map<std::string, std::string>;
 WindowStates parse_states(const std::vector<std::string>& texts);
 
 /// Coefficients of the measuring points of a luminance database, all groups of windows together, each in its
-/// state: the one asked for or that of the zone file. Reflected light of a patch is brought to the flux that
-/// the patch sends in, which is known better than what few rays of each cell found of it.
-/// @param group  only the light of this group of windows; empty: of all
+/// state: the one asked for or that of the zone file.
+/// @param groups  only the light of these groups of windows; empty: of all
 /// @throws InputError  without a place: no coefficients in the file, no such group or state
 DaylightCoefficients stored_coefficients(const LuminanceDatabase& database, const WindowStates& states,
-                                         const std::string& group = "");
+                                         const std::vector<std::string>& groups = {});
 
 /// The groups of windows of a database.
 std::vector<std::string> window_groups(const LuminanceDatabase& database);
@@ -31,10 +30,12 @@ std::vector<std::string> window_groups(const LuminanceDatabase& database);
 double group_transmittance(const LuminanceDatabase& database, const std::string& group,
                            const WindowStates& states);
 
-/// The sun at the points of a database by rays to its disc through windows in their states, past everything
+/// The sun at the points of a database: what is seen of its disc through windows in their states, past everything
 /// that the zone has inside and outside. What panes scatter of it is left to the coefficients. Keeps a
 /// reference to the database.
-/// @error of a shadow's edge: 8 rays for the half degree of the disc
-SunFactors sun_by_rays(const LuminanceDatabase& database, const WindowStates& states);
+/// @param groups  only through these groups of windows; empty: through all
+/// @error see SunSight
+SunFactors sun_at_points(const LuminanceDatabase& database, const WindowStates& states,
+                       const std::vector<std::string>& groups = {});
 
 }  // namespace dim

@@ -42,24 +42,6 @@ const char* law_name(int law) {
 
 [[noreturn]] void refuse(std::string what) { throw LimitError("casual gain control: " + std::move(what)); }
 
-void check_zone(const EspLightingZone& zone) {
-  if (zone.sensors.empty() || zone.sensors.size() > kMostSensors)
-    refuse(
-        fmt::format("{} sensors in a lighting zone, ESP-r takes 1..{}", zone.sensors.size(), kMostSensors));
-  if (zone.delay_steps < 0 || zone.delay_steps > kMostDelay)
-    refuse(fmt::format("a delay of {} steps, ESP-r takes 0..{}", zone.delay_steps, kMostDelay));
-  if (zone.switch_off < 1.0 || zone.switch_off > 3.0)
-    refuse(fmt::format("a switch-off factor of {}, ESP-r takes 1..3", zone.switch_off));
-  if (zone.type == EspSensorType::daylight_factors && zone.windows.empty())
-    refuse("daylight factors without a window");
-  for (const auto& window : zone.windows) {
-    if (window.surface < 1 || window.surface > kMostEspSurfaces)
-      refuse(fmt::format("window surface {}, ESP-r takes 1..{}", window.surface, kMostEspSurfaces));
-    if (window.factors.size() != zone.sensors.size())
-      refuse("a window needs a daylight factor for every sensor");
-  }
-}
-
 void check(const CasualGainControl& control) {
   if (control.zones.empty() || control.zones.size() > kMostLightingZones)
     refuse(fmt::format("{} lighting zones, ESP-r takes 1..{}", control.zones.size(), kMostLightingZones));
@@ -68,7 +50,7 @@ void check(const CasualGainControl& control) {
     refuse(fmt::format("{} day types, ESP-r takes 1..{}", control.slots.size(), kMostDayTypes));
   double shares = 0.0;
   for (const auto& zone : control.zones) {
-    check_zone(zone);
+    check_lighting_zone(zone);
     shares += zone.share;
     for (const auto& sensor : zone.sensors)
       if (zone.type == EspSensorType::coefficients && (sensor.set < 1 || sensor.set > kMostCoefficientSets))
@@ -206,6 +188,24 @@ void read_coefficients(EspReader& in, EspSensor& sensor, std::set<int>& known) {
 }
 
 }  // namespace
+
+void check_lighting_zone(const EspLightingZone& zone) {
+  if (zone.sensors.empty() || zone.sensors.size() > kMostSensors)
+    refuse(
+        fmt::format("{} sensors in a lighting zone, ESP-r takes 1..{}", zone.sensors.size(), kMostSensors));
+  if (zone.delay_steps < 0 || zone.delay_steps > kMostDelay)
+    refuse(fmt::format("a delay of {} steps, ESP-r takes 0..{}", zone.delay_steps, kMostDelay));
+  if (zone.switch_off < 1.0 || zone.switch_off > 3.0)
+    refuse(fmt::format("a switch-off factor of {}, ESP-r takes 1..3", zone.switch_off));
+  if (zone.type == EspSensorType::daylight_factors && zone.windows.empty())
+    refuse("daylight factors without a window");
+  for (const auto& window : zone.windows) {
+    if (window.surface < 1 || window.surface > kMostEspSurfaces)
+      refuse(fmt::format("window surface {}, ESP-r takes 1..{}", window.surface, kMostEspSurfaces));
+    if (window.factors.size() != zone.sensors.size())
+      refuse("a window needs a daylight factor for every sensor");
+  }
+}
 
 std::string write_cgc(const CasualGainControl& control) {
   check(control);

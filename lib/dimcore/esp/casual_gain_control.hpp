@@ -68,6 +68,9 @@ struct CasualGainControl {
   std::vector<EspLightingZone> zones;
 };
 
+/// @throws LimitError  a number of sensors, delay or switch-off factor that ESP-r does not take
+void check_lighting_zone(const EspLightingZone& zone);
+
 /// The text of the file.
 /// @throws LimitError  what ESP-r cannot hold: more than 4 lighting zones, 9 sensors, 5 coefficient sets, …
 std::string write_cgc(const CasualGainControl& control);

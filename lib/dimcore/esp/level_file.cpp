@@ -25,7 +25,9 @@ std::string write_levels(const ZoneLightingLevels& levels) {
     for (const char* part : {":sun_lx", ":sky_lx", ":total_lx"}) text += ',' + field(sensor.name + part);
   for (const auto& name : levels.circuit_names)
     for (const char* part : {":light", ":power", ":watts"}) text += ',' + field(name + part);
-  text += ",watts\n";
+  text += ",watts";
+  for (const auto& blind : levels.blinds) text += ',' + field(blind.windows + ":closed");
+  text += '\n';
   auto out = std::back_inserter(text);
   for (std::size_t i = 0; i < levels.steps.size(); ++i) {
     const LevelStep& step = levels.steps[i];
@@ -40,7 +42,9 @@ std::string write_levels(const ZoneLightingLevels& levels) {
                      circuit.watts[i]);
       watts += circuit.watts[i];
     }
-    fmt::format_to(out, ",{:.7g}\n", watts);
+    fmt::format_to(out, ",{:.7g}", watts);
+    for (const auto& blind : levels.blinds) text += blind.closed[i] ? ",1" : ",0";
+    text += '\n';
   }
   return text;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "climate/blinds.hpp"
 #include "climate/lighting_year.hpp"
 #include "sky/calendar.hpp"
 
@@ -24,12 +25,13 @@ struct ZoneLightingLevels {
   std::vector<SensorYear> sensors;
   std::vector<std::string> circuit_names;
   std::vector<CircuitYear> circuits;
+  std::vector<BlindYear> blinds;
 };
 
 /// CSV: header lines `# key: value`, a row of column names, a row a step. Columns: year, month, day, hour
 /// (end of the step), sun_altitude_deg, sun_azimuth_deg, direct_normal_W_m2, diffuse_horizontal_W_m2; of
 /// every sensor NAME:sun_lx, NAME:sky_lx, NAME:total_lx; of every circuit NAME:light, NAME:power (shares of
-/// full), NAME:watts; watts of all.
+/// full), NAME:watts; watts of all; of every operated group of windows GROUP:closed, 0 or 1.
 std::string write_levels(const ZoneLightingLevels& levels);
 
 }  // namespace dim

@@ -1,50 +1,32 @@
 #include "light/sun_light.hpp"
 
-#include <algorithm>
-
-#include "base/low_discrepancy.hpp"
-#include "light/sun_disc.hpp"
-
 namespace dim {
-namespace {
-
-constexpr std::uint64_t kRays = 256;
-
-}  // namespace
 
 SunLight::SunLight(const Zone& zone, const Windows& windows, const Panes& panes, const Outside& outside,
-                   const RayCaster& caster)
-    : zone_(zone), windows_(windows), panes_(panes), outside_(outside), caster_(caster) {}
+                   const Obstructions& obstructions)
+    : windows_(windows), panes_(panes), light_(outside.light()), place_in_group_(windows.windows.size()) {
+  for (const auto& group : windows.groups)
+    for (std::size_t k = 0; k < group.windows.size(); ++k) place_in_group_[group.windows[k]] = k;
+  if (light_.sun()) sight_.emplace(zone, windows, plates_of(zone), obstructions.shadows());
+}
 
 void SunLight::add(const ReceiverArea& receiver, SlotSums& sums) const {
-  const OutsideLight& light = outside_.light();
-  if (!light.sun() || !(glm::dot(receiver.normal, light.sun()->towards) > -0.5 * kSunDiameter_rad)) return;
-  const SunDisc disc(*light.sun());
-  const LowDiscrepancy4 points(mix(~receiver.stream));
-  const double lx = light.sun()->normal_lx / static_cast<double>(kRays);
-  for (std::uint64_t i = 0; i < kRays; ++i) {
-    const auto x = points(i);
-    const Vec3 direction = disc.direction(x[0], x[1]);
-    const double cosine = glm::dot(receiver.normal, direction);
-    if (!(cosine > 0.0) || !(direction.z > 0.0)) continue;
-    const Vec3 from = receiver.at(x[2], x[3]);
-    const bool bare = windows_.dome && caster_.nearest(from, direction, receiver.skip).plate < 0;
-    if (bare)
-      sums.add_column(panes_.first_of_group(windows_.groups.size() - 1), light.sun_column(), lx * cosine);
-    for (std::size_t g = 0; g < windows_.groups.size() && !bare; ++g) {
-      const auto& members = windows_.groups[g].windows;
-      for (std::size_t k = 0; k < members.size(); ++k) {
-        const Window& window = windows_.windows[members[k]];
-        const double height_m = window.frame().height(from), incidence = -glm::dot(window.frame().n, direction);
-        if (!(height_m > 0.0) || !(incidence > 0.0)) continue;
-        const Vec3 on_glass = from + (height_m / incidence) * direction;
-        if (!window.polygon.contains(window.frame().to_local(on_glass)) ||
-            caster_.blocked(from, on_glass, receiver.skip))
-          continue;
-        if (!window.open_outside && caster_.nearest(on_glass, direction, window.plate).plate >= 0) continue;
-        for (std::size_t s = panes_.first_of_group(g); s < panes_.last_of_group(g); ++s)
-          sums.add_column(s, light.sun_column(), lx * cosine * panes_.slots()[s].panes[k].straight_at(incidence));
-      }
+  if (!sight_) return;
+  const Vec3& towards = light_.sun()->towards;
+  if (!(glm::dot(receiver.normal, towards) > -0.5 * kSunDiameter_rad)) return;
+  std::vector<SunSight::Seen> seen;
+  sight_->seen(receiver.ring, receiver.normal, receiver.skip,
+               sight_->obstacles(receiver.ring, receiver.normal, receiver.skip), towards, seen);
+  for (const auto& part : seen) {
+    const double lx = light_.sun()->normal_lx * part.factor;
+    if (part.window == SunSight::kNoWindow) {
+      sums.add_column(panes_.first_of_group(windows_.groups.size() - 1), light_.sun_column(), lx);
+      continue;
+    }
+    const std::size_t group = windows_.windows[part.window].group;
+    for (std::size_t s = panes_.first_of_group(group); s < panes_.last_of_group(group); ++s) {
+      const Pane& pane = panes_.slots()[s].panes[place_in_group_[part.window]];
+      sums.add_column(s, light_.sun_column(), lx * pane.straight_at(part.incidence));
     }
   }
 }

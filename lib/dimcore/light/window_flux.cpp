@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "light/sun_disc.hpp"
@@ -14,6 +15,9 @@ namespace {
 constexpr std::uint64_t kOpenRays = 1 << 15;
 constexpr std::uint64_t kRaysPastEdges = 1 << 17;
 constexpr std::uint64_t kSunRays = 1 << 12;
+// Into every patch at least, where patches are kept apart, and onto the ground.
+constexpr std::uint64_t kLeastRaysOfPatch = 64;
+constexpr std::uint64_t kGroundRays = 1 << 12;
 
 }  // namespace
 
@@ -129,17 +133,31 @@ WindowFlux::Incident WindowFlux::incident(const Window& window, const Pane& pane
   Gatherer gatherer(outside_, pane);
   const LowDiscrepancy4 points(mix(stream));
   const std::uint64_t n_rays = window.open_outside ? kOpenRays : kRaysPastEdges;
-  for (std::uint64_t i = 0; i < n_rays; ++i) {
-    const auto x = points(i);
-    // The first half of the turns is light on its way up, from the ground: before an upright window the horizon cuts
-    // no stratum.
-    const double radius = std::sqrt(x[0]), turn = 2.0 * kPi * x[1];
-    const Vec3 travel(radius * std::cos(turn), radius * std::sin(turn), std::sqrt(1.0 - x[0]));
+  const auto add = [&](const Vec3& travel, const std::array<double, 4>& x, double lx) {
     const Vec3 inwards = frame.direction_to_world(travel);
     const Vec3 on_glass = window.frame().to_world(window.area.point(x[2], x[3]));
     const OutsideSeen seen =
         window.open_outside ? light.open(-inwards) : outside_.seen(on_glass, -inwards, window.plate);
-    gatherer.add(seen, fate(on_glass, inwards, window.plate), travel, kPi / static_cast<double>(n_rays));
+    gatherer.add(seen, fate(on_glass, inwards, window.plate), travel, lx);
+  };
+  const SkyPatches& patches = light.patches();
+  for (std::size_t patch = 0; light.by_patches() && patch <= patches.ground(); ++patch) {
+    const std::uint64_t n = patch == patches.ground() ? kGroundRays
+                                                      : std::max(kLeastRaysOfPatch, n_rays / patches.size());
+    const LowDiscrepancy4 in_patch(mix(stream ^ patch));
+    for (std::uint64_t i = 0; i < n; ++i) {
+      const auto x = in_patch(i);
+      const Vec3 travel = -frame.direction_to_local(light.direction(patch, x[0], x[1]));
+      if (travel.z > 0.0) add(travel, x, travel.z * patches.solid_angle_sr(patch) / static_cast<double>(n));
+    }
+  }
+  for (std::uint64_t i = 0; !light.by_patches() && i < n_rays; ++i) {
+    const auto x = points(i);
+    // The first half of the turns is light on its way up, from the ground: before an upright window the horizon cuts
+    // no stratum.
+    const double radius = std::sqrt(x[0]), turn = 2.0 * kPi * x[1];
+    add({radius * std::cos(turn), radius * std::sin(turn), std::sqrt(1.0 - x[0])}, x,
+        kPi / static_cast<double>(n_rays));
   }
   if (!light.sun()) return gatherer.finish(outside_class);
   const SunDisc disc(*light.sun());

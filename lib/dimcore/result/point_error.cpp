@@ -48,6 +48,7 @@ std::optional<std::vector<PointError>> point_errors(const LuminanceDatabase& dat
   std::vector<double> cells(n, 0.0), rays(n, 0.0), cell_rays(n, 0.0), direct_squares(n, 0.0), bound(n, 0.0);
   for (std::size_t s = 0; s < mix.size(); ++s) {
     if (mix[s] == 0.0) continue;
+    if (database.sources()[s].daylight) return std::nullopt;  // how far rays through windows are off is not known
     std::vector<double> direct(n, 0.0), lx(n, 0.0);
     if (!add_part(database, TransferPart::point_cells, s, mix[s], cells) ||
         !add_part(database, TransferPart::point_rays, s, mix[s], rays) ||

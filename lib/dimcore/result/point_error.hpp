@@ -24,7 +24,7 @@ struct PointError {
 
 /// Of all measuring points, sources mixed. Differences of cells and of rays are common to all sources and mix as light
 /// does; direct light is found for each source apart.
-/// @returns [n_points]; nothing where the solution does not know (`--solver track`, off-specular surfaces)
+/// @returns [n_points]; nothing where the solution does not know (`--solver track`, off-specular surfaces, daylight)
 std::optional<std::vector<PointError>> point_errors(const LuminanceDatabase& database, const Mix& mix);
 
 /// Of the mean of a set's valid points: rays and direct light of points are apart, all else they have in common.

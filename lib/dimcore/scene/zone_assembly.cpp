@@ -85,6 +85,14 @@ class ZoneAssembly {
                       fmt::format("surface '{}': no surface '{}' to lie on", face.name, face.on),
                       did_you_mean(face.on, keys(names)));
     }
+    // Features of box faces, and their own; parents may follow.
+    for (const auto& face : faces)
+      if (face.of_box) of_boxes_.insert(face.name);
+    for (bool more = true; more;) {
+      more = false;
+      for (const auto& face : faces)
+        more = (of_boxes_.contains(face.on) && of_boxes_.insert(face.name).second) || more;
+    }
   }
 
   int finish_of(const FaceSource& face) { return finish_of(face, face.finish, face.finish_place); }
@@ -144,7 +152,7 @@ class ZoneAssembly {
                       "take a finish of kind = \"glazing\"");
       return;
     }
-    if (face.of_box || face.two_sided)
+    if (of_boxes_.contains(face.name) || face.two_sided)
       problems_.add(face.finish_place,
                     fmt::format("surface '{}' is glazed, but not part of the zone's shell: glass inside a zone is "
                                 "not modelled",
@@ -242,6 +250,7 @@ class ZoneAssembly {
   std::map<std::string, int> finish_index_;
   std::set<std::pair<int, int>> reported_finishes_;
   std::vector<SurfaceLink> links_;
+  std::set<std::string> of_boxes_;  // faces of boxes and what lies on them
   Zone zone_;
 };
 

@@ -81,7 +81,7 @@ class EpwParser {
   void location(const std::vector<std::string_view>& fields);
   void data_periods(const std::vector<std::string_view>& fields);
   void row(const std::vector<std::string_view>& fields);
-  bool set_time(const std::vector<std::string_view>& fields, WeatherStep& step);
+  void set_time(const std::vector<std::string_view>& fields, WeatherStep& step);
   void set_irradiance(const std::vector<std::string_view>& fields, WeatherStep& step);
   void check_order(const WeatherStep& step);
   void check_end();
@@ -183,14 +183,14 @@ void EpwParser::row(const std::vector<std::string_view>& fields) {
     return wrong(fmt::format("{} fields, {} to {} are right", fields.size(), kFewestFields, kMostFields),
                  rest_.empty() ? "is the file complete?" : "");
   WeatherStep step;
-  if (!set_time(fields, step)) return;
+  set_time(fields, step);
   const double dew_point_C = optional(fields[7], "dew point", -90.0, 70.0, kMissingDewPoint_C);
   if (!std::isnan(dew_point_C)) step.water_cm = precipitable_water_cm(dew_point_C);
   set_irradiance(fields, step);
   weather_.steps.push_back(step);
 }
 
-bool EpwParser::set_time(const std::vector<std::string_view>& fields, WeatherStep& step) {
+void EpwParser::set_time(const std::vector<std::string_view>& fields, WeatherStep& step) {
   const double year = needed(fields[0], "year", 1.0, 9999.0), month = needed(fields[1], "month", 1.0, 12.0);
   step.end.year = static_cast<int>(year);
   step.end.month = static_cast<int>(month);
@@ -204,7 +204,6 @@ bool EpwParser::set_time(const std::vector<std::string_view>& fields, WeatherSte
   n_in_hour_ = n_in_hour_ % n_per_hour_ + 1;
   step.end.hour = hour - 1 + n_in_hour_ * weather_.step_h;
   if (problems_.empty()) check_order(step);
-  return problems_.empty();
 }
 
 void EpwParser::check_order(const WeatherStep& step) {

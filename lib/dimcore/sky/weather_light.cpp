@@ -48,6 +48,17 @@ SkyAndSun sky_and_sun_of(const Weather& weather, const WeatherStep& step) {
   return light_of(sun_of(weather, step), step);
 }
 
+Warnings beam_without_sun(const Weather& weather, const std::string& file) {
+  std::size_t n = 0;
+  for (const auto& step : weather.steps)
+    n += step.irradiance.direct_normal_W_m2 > 0.0 && !(sun_of(weather, step).apparent_altitude_rad > 0.0);
+  if (n == 0) return {};
+  return {{{file},
+           fmt::format("{} of {} steps have direct radiation with the sun below the horizon: it is left out", n,
+                       weather.steps.size()),
+           "are place, time zone and hours of its LOCATION line right?"}};
+}
+
 SkyAndSun sky_and_sun_of(const Weather& weather, const WeatherMoment& moment) {
   for (const auto& step : weather.steps) {
     if (step.end.month != moment.month || step.end.day != moment.day) continue;

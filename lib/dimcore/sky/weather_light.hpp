@@ -16,6 +16,9 @@ SunPosition sun_of(const Weather& weather, const WeatherStep& step);
 /// Sky and sun of a step.
 SkyAndSun sky_and_sun_of(const Weather& weather, const WeatherStep& step);
 
+/// Counts the steps with a beam although the sun is down all the while: their beam is left out.
+Warnings beam_without_sun(const Weather& weather, const std::string& file);
+
 /// Sky and sun of one moment: irradiance of the step that holds it, the sun where it stands at that moment.
 /// @throws InputError  a moment that the file does not hold
 SkyAndSun sky_and_sun_of(const Weather& weather, const WeatherMoment& moment);

@@ -56,6 +56,7 @@ class DaylightSources {
     return panes_->slot(origin_[source].group, origin_[source].state, klass);
   }
   std::vector<double> class_flux_lm(std::size_t source) const;
+  void balance(DirectColumns& direct, std::size_t n_sources) const;
   double luminous_flux_lm(const Source& source, const std::vector<double>& class_flux_lm) const;
 
   const Room& room_;
