@@ -168,6 +168,7 @@ void DaylightSources::add_to(DirectColumns& direct, const ModelPlan& plan, const
     spread(direct.point, n_sources, n_classes_);
     direct.n_columns = n_sources * n_classes_;
   }
+  const std::size_t n_tints = direct.n_columns / n_sources;
   tbb::enumerable_thread_specific<SlotSums> of_thread(
       [&] { return SlotSums(windows_, *panes_, *outside_, *flux_); });
   const auto add = [&](const Receiver& receiver, double* row) {
@@ -201,7 +202,6 @@ void DaylightSources::add_to(DirectColumns& direct, const ModelPlan& plan, const
 // tenths of a percent, but a single one is met by few of the rays of each cell and may be off by a quarter.
 void DaylightSources::balance(DirectColumns& direct, std::size_t n_sources) const {
   constexpr double kMost = 4.0;
-  const std::size_t n_tints = direct.n_columns / n_sources;
   std::vector<double> factor(direct.n_columns, 0.0);
   for (std::size_t i = 0; i < room_.cells.size(); ++i)
     for (std::size_t c = 0; c < direct.n_columns; ++c)

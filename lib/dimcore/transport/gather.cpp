@@ -247,7 +247,7 @@ class Block {
       sums_.each([&](std::size_t i) {
         for (std::size_t at = i * width_; at < (i + 1) * width_; ++at) sent_change_[at] += change[at];
       });
-      if (k < kChangeReflections) propagation_.reflect_change(sent_change_, change);
+      if (k < kChangeReflections) propagation_.reflect(sent_change_, change);
     }
     count(kChangeReflections);
     for (std::size_t c = 0; c < n_; ++c) {

@@ -58,43 +58,26 @@ void Propagation::scale_rows(std::vector<double>& arriving) const {
 }
 
 void Propagation::send(const std::vector<float>& exitance, std::vector<double>& arriving) {
-  along_rows(exitance, arriving);
-  if (!shine_) return;
   std::copy(exitance.begin(), exitance.end(), exitance_.begin());
-  shine_->add_to_cells(exitance_, arriving);
-}
-
-template <class Real>
-void Propagation::along_rows(const std::vector<Real>& exitance, std::vector<double>& arriving) const {
-  arriving.resize(exitance.size() - width_);
-  sums_.runs([&](std::size_t first, std::size_t last) {
-    gather_rows(network_.sinks, network_.patches, network_.has_family() ? &network_.extra : nullptr,
-                exitance.data(), width_, first, last, &arriving[first * width_]);
-  });
+  send(arriving);
 }
 
 void Propagation::send(std::vector<double>& arriving) {
-  along_rows(exitance_, arriving);
+  arriving.resize(exitance_.size() - width_);
+  sums_.runs([&](std::size_t first, std::size_t last) {
+    gather_rows(network_.sinks, network_.patches, network_.has_family() ? &network_.extra : nullptr,
+                exitance_.data(), width_, first, last, &arriving[first * width_]);
+  });
   if (shine_) shine_->add_to_cells(exitance_, arriving);
 }
 
-std::vector<float> Propagation::emit_single(const std::vector<double>& irradiance) {
-  emit(irradiance);
-  return {exitance_.begin(), exitance_.end()};
-}
-
-void Propagation::reflect_change(const std::vector<double>& change, std::vector<double>& arriving) {
-  send(emit_single(change), arriving);
-  scale_rows(arriving);
-}
-
 void Propagation::reflect_by_half(const std::vector<double>& irradiance, std::vector<double>& arriving) {
-  const auto exitance = emit_single(irradiance);
+  emit(irradiance);
   arriving.resize(exitance_.size() - width_);
   const std::size_t n_cells = arriving.size() / width_;
   sums_.runs([&](std::size_t first, std::size_t last) {
     const SinkTable sinks = half_of_rays(network_.sinks, network_.patches, n_cells, first, last);
-    gather_rows(sinks, half_of(network_.patches), nullptr, exitance.data(), width_, 0, last - first,
+    gather_rows(sinks, half_of(network_.patches), nullptr, exitance_.data(), width_, 0, last - first,
                 &arriving[first * width_]);
   });
   if (shine_) shine_->add_to_cells(exitance_, arriving);

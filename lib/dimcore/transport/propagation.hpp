@@ -61,9 +61,6 @@ class Propagation {
   /// What arrives at each cell: along the network's rows, by mirrors and from lobes as they are now.
   void reflect(const std::vector<double>& irradiance, std::vector<double>& arriving);
 
-  /// What arrives at each cell of changes of irradiance, in single precision; lobes as they are now are added.
-  void reflect_change(const std::vector<double>& change, std::vector<double>& arriving);
-
   /// What arrives, before row scales, of exitances [n_cells + 1, width] that hold the column scales; lobes as
   /// they are now are added.
   void send(const std::vector<float>& exitance, std::vector<double>& arriving);
@@ -72,15 +69,11 @@ class Propagation {
   std::vector<double> to_points(const std::vector<double>& irradiance);
   /// The same along every other ray of the points alone, less what all rays bring.
   std::vector<double> to_points_by_half(const std::vector<double>& irradiance);
-  /// What arrives at each cell along every other of its rays alone, in single precision; by mirrors and from lobes
-  /// as always.
+  /// What arrives at each cell along every other of its rays alone; by mirrors and from lobes as always.
   void reflect_by_half(const std::vector<double>& irradiance, std::vector<double>& arriving);
 
  private:
   void send(std::vector<double>& arriving);
-  template <class Real>
-  void along_rows(const std::vector<Real>& exitance, std::vector<double>& arriving) const;
-  std::vector<float> emit_single(const std::vector<double>& irradiance);
   void scale_rows(std::vector<double>& arriving) const;
   void emit_to_points(const std::vector<double>& irradiance);
   std::vector<double> along(const SinkTable& sinks, const PatchGrid& patches) const;
