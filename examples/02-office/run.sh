@@ -17,11 +17,18 @@ dimout grid "$out/office.lum" --stats --by source --plane workplane -o "$out/ill
 dimout surfaces "$out/office.lum" -o "$out/surfaces.csv"
 dimout image "$out/office.lum" --view door -o "$out/door.png"
 dimout image "$out/office.lum" --view plan --tone falsecolour -o "$out/plan-lux.png"
+dimout contour "$out/office.lum" --plane workplane --filled --values -o "$out/workplane.svg"
+dimout contour "$out/office.lum" --surface wall-n -o "$out/wall-n.svg"
+dimout glare "$out/office.lum" --observers workplane --worst -o "$out/glare-worst.csv"
+dimout check "$out/office.lum" --require "$here/office.require.toml" -o "$out/requirements.csv" || [ $? -eq 1 ]
 dimdis draw "$here/office.zone.toml" --view door -o "$out/door.svg"
 
 echo
 echo "Illuminance, lx:"
 cat "$out/illuminance-stats.csv"
+echo
+echo "Requirements:"
+cat "$out/requirements.csv"
 echo
 echo "Made in $out:"
 ls -1 "$out"

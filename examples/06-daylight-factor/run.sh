@@ -12,6 +12,7 @@ mkdir -p "$out"
 dimdis "$here/room.zone.toml" -o "$out/room.rays"
 dimray "$out/room.rays" "$here/overcast.lights.toml" -o "$out/overcast.lum" --explain
 dimout grid "$out/overcast.lum" --daylight-factor -o "$out/daylight-factor.csv"
+dimout contour "$out/overcast.lum" --daylight-factor --filled -o "$out/daylight-factor.svg"
 dimray "$out/room.rays" "$here/coefficients.lights.toml" -o "$out/coefficients.lum"
 dimout grid "$out/coefficients.lum" --daylight-factor -o "$out/daylight-factor-145.csv"
 dimout grid "$out/coefficients.lum" --sky cie-12:15000@40,150 -o "$out/clear.csv"

@@ -47,6 +47,20 @@ class PlotCommand {
   CLI::App* plot_;
 };
 
+/// ugr.
+class UgrCommand {
+ public:
+  explicit UgrCommand(Program& program);
+  bool run();
+
+ private:
+  Program& program_;
+  std::string db_, what_, output_ = "-";
+  double spacing_h_ = 0.25;
+  bool json_ = false;
+  CLI::App* ugr_;
+};
+
 /// add.
 class AddCommand {
  public:

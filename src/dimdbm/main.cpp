@@ -10,12 +10,13 @@ int main(int argc, char** argv) {
   program.add_common_options(program.app());
   dim::LookCommands look(program);
   dim::PlotCommand plot(program);
+  dim::UgrCommand ugr(program);
   dim::AddCommand add(program);
   dim::RemoveCommand remove(program);
   dim::ExportCommand exporter(program);
   return program.run(argc, argv, [&] {
     dim::Exit status = dim::Exit::done;
-    look.run(status) || plot.run() || add.run() || remove.run() || exporter.run();
+    look.run(status) || plot.run() || ugr.run() || add.run() || remove.run() || exporter.run();
     return status;
   });
 }

@@ -5,10 +5,11 @@
 #include <vector>
 
 #include "common/program.hpp"
-#include "result/point_error.hpp"
 #include "common/table.hpp"
+#include "image/contour_drawing.hpp"
 #include "image/writer.hpp"
 #include "result/luminous.hpp"
+#include "result/point_error.hpp"
 
 namespace dim {
 
@@ -55,6 +56,11 @@ CLI::Option* add_plane_option(CLI::App& command, std::vector<std::string>& plane
 /// @throws InputError  no such name, about the file of that path
 std::vector<PointSet> chosen_sets(const Zone& zone, const std::vector<std::string>& names, const std::string& path);
 
+/// Where daylight factors are asked for: the illuminance outside, of the sky alone, unobstructed. Coefficients
+/// stand under a CIE overcast sky unless --sky says another, which is put into `input`.
+/// @throws InputError  no daylight, or a black sky
+double outside_lx(const LuminanceDatabase& database, DatabaseInput& input);
+
 /// info, surfaces, cells and grid.
 class TableCommands {
  public:
@@ -68,7 +74,6 @@ class TableCommands {
   void cells();
   void grid();
   void grid_stats(const LuminanceDatabase& database, const std::vector<PointSet>& sets);
-  double horizontal_lx(const LuminanceDatabase& database) const;
   double stated_lx(const PointError& error) const;
 
   Program& program_;
@@ -105,6 +110,27 @@ class ImageCommand {
   double screen_white_cd_m2_ = 100.0;
   int samples_ = 3;
   CLI::App* image_;
+};
+
+/// contour.
+class ContourCommand {
+ public:
+  explicit ContourCommand(Program& program);
+  bool run();
+
+ private:
+  void draw();
+  std::vector<double> chosen_levels(const std::vector<double>& values) const;
+  ContourMap map_of_plane(const LuminanceDatabase& database);
+  ContourMap map_of_surface(const LuminanceDatabase& database);
+  void set_shared(const LuminanceDatabase& database, const std::string& name, ContourMap& map);
+
+  Program& program_;
+  DatabaseInput input_;
+  std::string plane_, surface_, levels_;
+  bool filled_ = false, values_ = false, daylight_factor_ = false;
+  int size_px_ = 1000;
+  CLI::App* contour_;
 };
 
 }  // namespace dim

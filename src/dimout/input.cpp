@@ -113,6 +113,18 @@ Mix mix_of(const LuminanceDatabase& database, const DatabaseInput& input) {
   });
 }
 
+double outside_lx(const LuminanceDatabase& database, DatabaseInput& input) {
+  if (!database.sky())
+    throw InputError({{input.path, 0, 0}, "holds no daylight: there is no daylight factor",
+                      "run dimray with a [sky] in the lights file"});
+  const bool coefficients = database.sky()->subdivision > 0;
+  if (coefficients && input.sky.empty()) input.sky = "cie-overcast:10000";
+  const double lx = input.sky.empty() ? database.sky()->horizontal_lx : sky_asked_for(input.sky).sky.horizontal_lx();
+  if (!(lx > 0.0))
+    throw InputError({{input.path, 0, 0}, "the sky is black: there is no daylight factor", "take a sky with light"});
+  return lx;
+}
+
 void for_sources(const LuminanceDatabase& database, const DatabaseInput& input,
                  const std::function<void(const std::string& source, const Mix& mix)>& each) {
   const Mix mix = mix_of(database, input);

@@ -1,5 +1,6 @@
 #include "dimout/colour.hpp"
 #include "dimout/daylight.hpp"
+#include "dimout/judging.hpp"
 
 int main(int argc, char** argv) {
   dim::Program program("dimout", "Tables and pictures from a luminance database.",
@@ -10,10 +11,15 @@ int main(int argc, char** argv) {
   dim::TableCommands tables(program);
   dim::ColourCommand colour(program);
   dim::ImageCommand image(program);
+  dim::ContourCommand contour(program);
+  dim::GlareCommand glare(program);
+  dim::CheckCommand check(program);
   dim::AnnualCommand annual(program);
   dim::LevelsCommand levels(program);
   return program.run(argc, argv, [&] {
-    tables.run() || colour.run() || image.run() || annual.run() || levels.run();
-    return dim::Exit::done;
+    dim::Exit status = dim::Exit::done;
+    tables.run() || colour.run() || image.run() || contour.run() || glare.run() || check.run(status) ||
+        annual.run() || levels.run();
+    return status;
   });
 }

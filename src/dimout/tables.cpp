@@ -140,8 +140,7 @@ void TableCommands::cells() {
 
 void TableCommands::grid() {
   const LuminanceDatabase database = open_database(program_, input_);
-  const bool coefficients = database.sky() && database.sky()->subdivision > 0;
-  if (daylight_factor_ && coefficients && input_.sky.empty()) input_.sky = "cie-overcast:10000";
+  const double horizontal_lx = daylight_factor_ ? outside_lx(database, input_) : 0.0;
   const Zone& zone = database.zone();
   const auto sets = chosen_sets(zone, planes_, input_.path);
   if (sets.empty()) program_.say("the zone has no measuring planes or sensors");
@@ -149,7 +148,6 @@ void TableCommands::grid() {
   std::vector<std::string> columns{"plane", "point", "x_m", "y_m", "z_m", "nx", "ny", "nz", "illuminance_lx"};
   if (daylight_factor_) columns.emplace_back("daylight_factor_percent");
   columns.emplace_back("error_lx");
-  const double outside_lx = daylight_factor_ ? horizontal_lx(database) : 0.0;
   Table table(columns_with_source(input_, columns));
   for_sources(database, input_, [&](const std::string& source, const Mix& asked) {
     const Mix mix = daylight_factor_ ? diffuse_daylight(database, asked) : asked;
@@ -159,7 +157,7 @@ void TableCommands::grid() {
       for (std::size_t p = set.first; p < set.first + set.count; ++p) {
         const Vec3 at = zone.points[p].position + zone.origin_m, n = zone.points[p].normal;
         std::vector<Table::Value> row{set.name, static_cast<long>(p - set.first), at.x, at.y, at.z, n.x, n.y, n.z, lx[p]};
-        if (daylight_factor_) row.emplace_back(100.0 * lx[p] / outside_lx);
+        if (daylight_factor_) row.emplace_back(100.0 * lx[p] / horizontal_lx);
         row.emplace_back(errors ? stated_lx((*errors)[p]) : kUnknown);
         table.add(row_with_source(source, std::move(row)));
       }
@@ -170,17 +168,6 @@ void TableCommands::grid() {
 
 double TableCommands::stated_lx(const PointError& error) const {
   return direct_ ? PointError{.direct_lx = error.direct_lx}.total_lx() : error.total_lx();
-}
-
-// Of the sky alone, unobstructed.
-double TableCommands::horizontal_lx(const LuminanceDatabase& database) const {
-  if (!database.sky())
-    throw InputError({{input_.path, 0, 0}, "holds no daylight: there is no daylight factor",
-                      "run dimray with a [sky] in the lights file"});
-  const double lx = input_.sky.empty() ? database.sky()->horizontal_lx : sky_asked_for(input_.sky).sky.horizontal_lx();
-  if (!(lx > 0.0))
-    throw InputError({{input_.path, 0, 0}, "the sky is black: there is no daylight factor", "take a sky with light"});
-  return lx;
 }
 
 void TableCommands::grid_stats(const LuminanceDatabase& database, const std::vector<PointSet>& sets) {

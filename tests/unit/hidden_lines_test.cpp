@@ -259,3 +259,21 @@ TEST_CASE("An SVG names its size and title and has one line per segment", "[geom
   CHECK(std::count(svg.begin(), svg.end(), 'M') == 2);
   CHECK(to_svg({}, 10, 10, "").find("</svg>") != std::string::npos);
 }
+
+TEST_CASE("A plan shows the room and what stands in it, to scale, lower things hidden by higher ones",
+          "[geometry][hidden_lines][unit]") {
+  Model model;
+  model.add_box({0, 0, 0}, {4, 3, 2.7}, true);
+  model.add_box({1, 1, 0}, {3, 2, 0.7});
+  model.add_box({2, 0.5, 1.0}, {2.5, 1.5, 1.2});  // over the desk's edge
+  Camera camera{{2, 1.5, 3.0}, {2, 1.5, 0}, {0, 1, 0}};
+  camera.width = 400, camera.height = 300;
+  camera.parallel_m = 4.0;
+  const auto lines = hidden_lines(model.plates(), 5.7, camera);
+  CHECK(has_line(lines, {100, 100}, {300, 100}));
+  CHECK(has_line(lines, {200, 150}, {250, 150}));
+  CHECK(has_line(lines, {100, 200}, {200, 200}));  // the desk's near edge on both sides of the shelf
+  CHECK(has_line(lines, {250, 200}, {300, 200}));
+  CHECK(length_px(lines) ==
+        Approx(2.0 * (400 + 300) + 2.0 * (200 + 100) - 50.0 + 2.0 * (50 + 100)).margin(4.0));
+}

@@ -64,3 +64,25 @@ TEST_CASE("A camera that sees nothing is refused", "[geometry][perspective][unit
   CHECK_THROWS_AS(Perspective({{1, 1, 1}, {1, 1, 1}}), InternalError);
   CHECK_THROWS_AS(Perspective({{0, 0, 0}, {1, 1, 1}, {0, 0, 1}, kPi}), InternalError);
 }
+
+TEST_CASE("A parallel view is to scale whatever the depth, and begins at the eye",
+          "[geometry][perspective][unit]") {
+  Camera camera{{2, 1, 9}, {2, 1, 0}, {0, 0, 1}};
+  camera.width = 400, camera.height = 300;
+  camera.parallel_m = 8.0;
+  const Perspective plan(camera);
+  for (const double z : {8.0, 0.0, -50.0}) {
+    const auto place = plan.project({3, 2, z});
+    REQUIRE(place);
+    CHECK(place->x == Approx(250.0));
+    CHECK(place->y == Approx(100.0));
+  }
+  CHECK_FALSE(plan.project({3, 2, 9.5}));
+  CHECK(glm::length(plan.origin(250, 100) - Vec3(3, 2, 9)) < 1e-12);
+  CHECK(plan.direction(7, 8) == Vec3(0, 0, -1));
+  CHECK(plan.origin_towards({3, 2, 1}) == Vec3(3, 2, 9));
+  const auto shown = plan.clip({-10, 1, 0}, {10, 1, 0}, 1e-6);
+  REQUIRE(shown);
+  CHECK(-10.0 + 20.0 * shown->first == Approx(-2.0));
+  CHECK(-10.0 + 20.0 * shown->second == Approx(6.0));
+}

@@ -30,14 +30,18 @@ struct Edge {
   int plate = -1;
   Vec3 a{0.0}, b{0.0};
   Vec2 image_a{0.0}, image_b{0.0};
-  double nearness_a = 0.0, nearness_b = 0.0;  // 1/depth, which is linear along the image
+  // What is linear along the image: 1/depth, in parallel projection the depth turned round.
+  double nearness_a = 0.0, nearness_b = 0.0;
+  bool parallel = false;
 
   double length_px() const { return glm::length(image_b - image_a); }
   Vec2 image_at(double s) const { return image_a + s * (image_b - image_a); }
   double nearness_at(double s) const { return nearness_a + s * (nearness_b - nearness_a); }
-  Vec3 at(double s) const { return a + (s * nearness_b / nearness_at(s)) * (b - a); }
+  Vec3 at(double s) const { return a + (parallel ? s : s * nearness_b / nearness_at(s)) * (b - a); }
   /// Place along the image of the point a + u * (b - a).
-  double image_of(double u) const { return u * nearness_a / ((1.0 - u) * nearness_b + u * nearness_a); }
+  double image_of(double u) const {
+    return parallel ? u : u * nearness_a / ((1.0 - u) * nearness_b + u * nearness_a);
+  }
 };
 
 // What of `spans` lies outside [start, end].
@@ -51,10 +55,10 @@ std::vector<Span> without(const std::vector<Span>& spans, double start, double e
 }
 
 // The plates that are there for this eye; all of them opaque from the side it is on.
-std::vector<Plate> plates_facing(const std::vector<Plate>& plates, const Vec3& eye) {
+std::vector<Plate> plates_facing(const std::vector<Plate>& plates, const Perspective& perspective) {
   std::vector<Plate> result;
   for (const auto& plate : plates) {
-    if (!plate.open_back || plate.polygon->frame().height(eye) > 0.0)
+    if (!plate.open_back || perspective.faces(plate.polygon->frame().origin, plate.polygon->normal()))
       result.push_back({plate.polygon, false});
   }
   return result;
@@ -64,7 +68,7 @@ class Drawing {
  public:
   Drawing(const std::vector<Plate>& plates, double diameter_m, const Camera& camera)
       : perspective_(camera),
-        plates_(plates_facing(plates, camera.eye)),
+        plates_(plates_facing(plates, perspective_)),
         caster_(plates_, diameter_m),
         touch_m_(kTouch * diameter_m),
         near_m_(kNear * diameter_m),
@@ -102,8 +106,12 @@ class Drawing {
   void add_edge(int plate, const Vec3& a, const Vec3& b) {
     const auto image_a = perspective_.project(a), image_b = perspective_.project(b);
     if (!image_a || !image_b) return;
-    const Edge edge{
-        plate, a, b, *image_a, *image_b, 1.0 / perspective_.depth_m(a), 1.0 / perspective_.depth_m(b)};
+    const bool parallel = perspective_.parallel();
+    const auto nearness = [&](const Vec3& p) {
+      const double depth_m = perspective_.depth_m(p);
+      return parallel ? -depth_m : 1.0 / depth_m;
+    };
+    const Edge edge{plate, a, b, *image_a, *image_b, nearness(a), nearness(b), parallel};
     if (edge.length_px() > kShortest_px && glm::length(b - a) > touch_m_) edges_.push_back(edge);
   }
 
@@ -151,7 +159,8 @@ class Drawing {
     const double s = cross(gap, v) / determinant, t = cross(gap, r) / determinant;
     const double slack = kShortest_px / glm::length(v);
     if (!(s > 0.0 && s < 1.0) || t < -slack || t > 1.0 + slack) return;
-    if (other.nearness_at(t) >= edge.nearness_at(s) * (1.0 - kAsNear)) cuts.push_back(s);
+    const double least = edge.nearness_at(s);
+    if (other.nearness_at(t) >= least - kAsNear * std::abs(least)) cuts.push_back(s);
   }
 
   void add_piercings(const Edge& edge, std::vector<double>& cuts) const {
@@ -190,7 +199,7 @@ class Drawing {
 
   // Plates in whose planes the point lies do not hide it: it is on their edge, or they are seen edge-on.
   bool visible(const Vec3& point) const {
-    Vec3 from = perspective_.eye();
+    Vec3 from = perspective_.origin_towards(point);
     int skip = -1;
     for (std::size_t i = 0; i <= plates_.size(); ++i) {
       const Vec3 way = point - from;

@@ -27,23 +27,31 @@ Perspective::Perspective(const Camera& camera)
     : eye_(camera.eye), width_(camera.width), height_(camera.height) {
   const Vec3 view = camera.focus - camera.eye;
   const double length = glm::length(view);
-  if (!(length > 0.0) || !std::isfinite(length) || !(camera.fov_rad > 0.0) || !(camera.fov_rad < kPi) ||
-      width_ < 1 || height_ < 1)
+  parallel_ = camera.parallel_m > 0.0;
+  const bool wide = parallel_ ? std::isfinite(camera.parallel_m) : camera.fov_rad > 0.0 && camera.fov_rad < kPi;
+  if (!(length > 0.0) || !std::isfinite(length) || !wide || width_ < 1 || height_ < 1)
     throw InternalError("camera without a view reached the geometry");
   forward_ = view / length;
   up_ = upright(forward_, camera.up);
   right_ = glm::cross(forward_, up_);
-  focal_px_ = width_ / 2.0 / std::tan(camera.fov_rad / 2.0);
+  focal_px_ = parallel_ ? width_ / camera.parallel_m : width_ / 2.0 / std::tan(camera.fov_rad / 2.0);
+}
+
+Vec3 Perspective::origin(double px, double py) const {
+  if (!parallel_) return eye_;
+  return eye_ + ((px - width_ / 2.0) * right_ + (height_ / 2.0 - py) * up_) / focal_px_;
 }
 
 Vec3 Perspective::direction(double px, double py) const {
+  if (parallel_) return forward_;
   return glm::normalize(focal_px_ * forward_ + (px - width_ / 2.0) * right_ + (height_ / 2.0 - py) * up_);
 }
 
 Vec2 Perspective::at_depth(const Vec3& point, double depth_m) const {
   const Vec3 p = point - eye_;
-  return {width_ / 2.0 + focal_px_ * (glm::dot(p, right_) / depth_m),
-          height_ / 2.0 - focal_px_ * (glm::dot(p, up_) / depth_m)};
+  const double along = parallel_ ? 1.0 : depth_m;
+  return {width_ / 2.0 + focal_px_ * (glm::dot(p, right_) / along),
+          height_ / 2.0 - focal_px_ * (glm::dot(p, up_) / along)};
 }
 
 std::optional<Vec2> Perspective::project(const Vec3& point, double near_m) const {
@@ -59,7 +67,8 @@ std::optional<std::pair<double, double>> Perspective::clip(const Vec3& a, const 
   const auto inside = [&](const Vec3& point) -> std::array<double, 5> {
     const Vec3 p = point - eye_;
     const double x = glm::dot(p, right_), y = glm::dot(p, up_), z = glm::dot(p, forward_);
-    return {z - near_m, side * z - x, side * z + x, top * z - y, top * z + y};
+    const double along = parallel_ ? 1.0 : z;
+    return {z - near_m, side * along - x, side * along + x, top * along - y, top * along + y};
   };
   const auto from = inside(a), to = inside(b);
   double start = 0.0, end = 1.0;

@@ -21,6 +21,7 @@ struct DrawnLine {
 struct DrawnArea {
   std::vector<Vec2> outline;
   Rgb8 colour{};
+  std::vector<std::vector<Vec2>> more_outlines{};  ///< holes and further parts: inside is what an odd number encloses
 };
 
 enum class TextAnchor { start, middle, end };
@@ -31,6 +32,7 @@ struct DrawnText {
   int size_px = 14;
   TextAnchor anchor = TextAnchor::start;
   Rgb8 colour{};
+  bool halo = false;  ///< on a rim of paper, to be read on lines
 };
 
 /// Areas lie below lines, lines below words; within each, later ones above earlier ones.

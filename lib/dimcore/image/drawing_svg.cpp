@@ -36,6 +36,24 @@ void append_points(std::string& svg, const std::vector<Vec2>& points) {
   }
 }
 
+void append_area(std::string& svg, const DrawnArea& area) {
+  if (area.more_outlines.empty()) {
+    fmt::format_to(std::back_inserter(svg), "<polygon fill=\"{}\" points=\"", hex(area.colour));
+    append_points(svg, area.outline);
+    svg += "\"/>\n";
+    return;
+  }
+  fmt::format_to(std::back_inserter(svg), "<path fill=\"{}\" fill-rule=\"evenodd\" d=\"", hex(area.colour));
+  const auto append_ring = [&](const std::vector<Vec2>& ring) {
+    svg += 'M';
+    append_points(svg, ring);
+    svg += 'z';
+  };
+  append_ring(area.outline);
+  for (const auto& ring : area.more_outlines) append_ring(ring);
+  svg += "\"/>\n";
+}
+
 const char* anchor_name(TextAnchor anchor) {
   return anchor == TextAnchor::start ? "start" : anchor == TextAnchor::middle ? "middle" : "end";
 }
@@ -49,11 +67,7 @@ std::string svg_text(const Drawing& drawing) {
       "<title>{2}</title>\n<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
       drawing.width, drawing.height, xml_text(drawing.title));
   auto out = std::back_inserter(svg);
-  for (const auto& area : drawing.areas) {
-    fmt::format_to(out, "<polygon fill=\"{}\" points=\"", hex(area.colour));
-    append_points(svg, area.outline);
-    svg += "\"/>\n";
-  }
+  for (const auto& area : drawing.areas) append_area(svg, area);
   for (const auto& line : drawing.lines) {
     fmt::format_to(
         out,
@@ -67,8 +81,9 @@ std::string svg_text(const Drawing& drawing) {
     fmt::format_to(
         out,
         "<text x=\"{:.2f}\" y=\"{:.2f}\" font-family=\"sans-serif\" font-size=\"{}\" text-anchor=\"{}\" "
-        "fill=\"{}\">{}</text>\n",
-        text.at.x, text.at.y, text.size_px, anchor_name(text.anchor), hex(text.colour), xml_text(text.utf8));
+        "fill=\"{}\"{}>{}</text>\n",
+        text.at.x, text.at.y, text.size_px, anchor_name(text.anchor), hex(text.colour),
+        text.halo ? " stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"" : "", xml_text(text.utf8));
   return svg + "</svg>\n";
 }
 

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "dimout/commands.hpp"
+#include "judge/check.hpp"
+
+namespace dim {
+
+/// glare.
+class GlareCommand {
+ public:
+  explicit GlareCommand(Program& program);
+  bool run();
+
+ private:
+  void of_view(const LuminanceDatabase& database);
+  void of_observers(const LuminanceDatabase& database);
+
+  Program& program_;
+  DatabaseInput input_;
+  std::string view_, observers_;
+  double height_m_ = 1.2;
+  int n_directions_ = 24;
+  bool worst_ = false;
+  CLI::App* glare_;
+};
+
+/// check.
+class CheckCommand {
+ public:
+  explicit CheckCommand(Program& program);
+  bool run(Exit& status);
+
+ private:
+  void write_findings(const std::vector<Finding>& findings);
+
+  Program& program_;
+  DatabaseInput input_;
+  std::string require_;
+  std::vector<std::string> set_;
+  CLI::App* check_;
+};
+
+}  // namespace dim

@@ -1,0 +1,79 @@
+#!/usr/bin/env bats
+# Contours, glare, requirements.
+
+setup_file() { load common; make_room; }
+setup() { load common; enter_copy; }
+
+plane() { awk -F'"' '/^\[\[plane\]\]/ { on = 1 } on && /^name/ { print $2; exit }' room.zone.toml; }
+
+@test "contours come as SVG, PNG and on standard output" {
+  dimout contour room.lum -o a.svg
+  dimout contour room.lum --plane "$(plane)" -o - | cmp - a.svg
+  grep -q '<polyline' a.svg
+  dimout contour room.lum --filled --values -o a.png
+  [ "$(head -c 4 a.png | tail -c 3)" = PNG ]
+  dimout contour room.lum --threads 1 -o b.svg
+  cmp a.svg b.svg
+}
+
+@test "levels asked for are those on the lines" {
+  dimout contour room.lum --filled --levels 30,10,20,20 -o a.svg
+  [ "$(grep -c '>10 - 20<' a.svg)" -eq 1 ]
+  [ "$(grep -c '>> 30<\|>&gt; 30<' a.svg)" -eq 1 ]
+  refused 2 "levels '10,x'" dimout contour room.lum --levels 10,x -o x.svg
+}
+
+@test "a surface has contours from its cells" {
+  dimout contour room.lum --surface floor -o a.svg
+  grep -q 'illuminance on floor' a.svg
+  refused 3 "no surface 'flor'" dimout contour room.lum --surface flor -o x.svg
+}
+
+@test "contours of what is none are refused" {
+  refused 3 "no measuring plane or sensors 'nowhere'" dimout contour room.lum --plane nowhere -o x.svg
+  refused 2 "must end in .svg or .png" dimout contour room.lum -o x.txt
+  refused 3 "holds no daylight" dimout contour room.lum --daylight-factor -o x.svg
+}
+
+@test "a plane of one point or one row is drawn" {
+  for grid in '[1, 1]' '[5, 1]' '[1, 5]'; do
+    sed "/^name = \"$(plane)\"/,/^spacing/ s/^spacing.*/grid = $grid/" room.zone.toml > one.zone.toml
+    dimdis one.zone.toml -q --patches 4x8 -o one.rays
+    dimray one.rays room.lights.toml -q -o one.lum
+    dimout contour one.lum --filled --values -o a.svg
+  done
+}
+
+@test "glare of a view and of eyes over a plane" {
+  dimout glare room.lum -o view.csv
+  head -1 view.csv | grep -q '^view,ugr,background_cd_m2,sources,large_sources$'
+  dimout glare room.lum --observers "$(plane)" --directions 4 -o all.csv
+  dimout glare room.lum --observers "$(plane)" --directions 4 --worst -o worst.csv
+  [ "$(wc -l < worst.csv)" -eq 2 ]
+  awk -F, 'FNR == 2 && FILENAME == "worst.csv" { most = $7 } FNR > 1 && FILENAME == "all.csv" && $7 > most + 1e-9 { bad = 1 }
+           END { exit bad }' worst.csv all.csv
+  refused 2 "height" dimout glare room.lum --height 1.2
+  refused 3 "nowhere" dimout glare room.lum --observers nowhere
+}
+
+@test "a glare table has 95 rows, and only of fittings" {
+  run --separate-stderr dimdbm ugr troffer-3600
+  [ "$status" -eq 0 ]
+  [ "${#lines[@]}" -eq 96 ]
+  refused 3 "no fitting" dimdbm ugr paint-white-matt
+  refused 2 "spacing" dimdbm ugr troffer-3600 --spacing 0.5
+}
+
+@test "requirements decide the exit status" {
+  printf 'dim = "requirements/1"\nsource = "us"\n[[require]]\nplane = "%s"\nilluminance = 1e-3\n' "$(plane)" > easy.toml
+  run --separate-stderr dimout check room.lum --require easy.toml
+  [ "$status" -eq 0 ]
+  [[ "${lines[1]}" == *",met" ]]
+  [[ "$stderr" == *"1 met, 0 not met, 0 undecided"* ]]
+  sed -i 's/1e-3/1e6/' easy.toml
+  run --separate-stderr dimout check room.lum --require easy.toml
+  [ "$status" -eq 1 ]
+  [[ "${lines[1]}" == *",not met" ]]
+  sed -i 's/plane = .*/plane = "nowhere"/' easy.toml
+  refused 3 "easy.toml:3:.*nowhere" dimout check room.lum --require easy.toml
+}
