@@ -49,7 +49,7 @@ LAMPS
 
 @test "the illuminance is that of the grid, and mixes add" {
   lit led-4000 --bands 7
-  paste -d, <(dimout grid lit.lum) <(dimout colour lit.lum) | awk -F, 'NR > 1 && ($9 / $15 - 1) ^ 2 > 1e-12 { print; bad = 1 } END { exit bad || NR < 2 }'
+  paste -d, <(dimout grid lit.lum) <(dimout colour lit.lum) | awk -F, 'NR > 1 && ($9 / $16 - 1) ^ 2 > 1e-12 { print; bad = 1 } END { exit bad || NR < 2 }'
   dimray room.rays room.lights.toml -q -o two.lum --set luminaire.P.spectrum=cie-a --set luminaire.spot.spectrum=d65
   dimout colour two.lum --mix spot=0 | within cct_K 2853 2859
   dimout colour two.lum --mix panels=0 | within cct_K 6500 6506

@@ -100,7 +100,7 @@ dark() {
   [ "$(dimout grid a.lum --plane over | wc -l)" -eq 81 ]
   dimout grid a.lum --stats > stats.csv
   cat stats.csv
-  grep -q '^away,4,,,,,,4$' stats.csv
+  grep -q '^away,4,,,,,,4,$' stats.csv
   # The points inside are those of the plane that is flush with the walls.
   [ "$(sed -n 's/^over,80,\(.*\),32$/\1/p' stats.csv)" = "$(sed -n 's/^flush,48,\(.*\),0$/\1/p' stats.csv)" ]
 }
