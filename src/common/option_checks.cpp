@@ -46,6 +46,19 @@ void refuse_without_effect(const CLI::App& command, std::initializer_list<const 
       throw UsageError(fmt::format("{} has no effect {}\n        leave it out", option, needs));
 }
 
+double share_of(const std::string& text) {
+  const bool percent = text.ends_with('%');
+  return number_of(percent ? text.substr(0, text.size() - 1) : text) / (percent ? 100.0 : 1.0);
+}
+
+CLI::Validator share_or_percent() {
+  return silent([](const std::string& text) -> std::string {
+    const double share = share_of(text);
+    if (share > 0.0 && share <= 0.5) return {};
+    return fmt::format("'{}' is not a share of at most 50 %: write for example 2% or 0.02", text);
+  });
+}
+
 CLI::Validator number_within(double low, double high, bool low_open) {
   return silent([=](const std::string& text) -> std::string {
     const double value = number_of(text);

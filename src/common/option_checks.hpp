@@ -14,6 +14,11 @@ CLI::Validator pair_with_factor(const std::string& form);
 /// A finite number within low..high, the ends included or, where `low_open`, without the lower one.
 CLI::Validator number_within(double low, double high, bool low_open = false);
 
+/// A share written as `2%` or `0.02`, above 0 and at most 50 %.
+CLI::Validator share_or_percent();
+/// The share that such a text says.
+double share_of(const std::string& text);
+
 /// Refuses options that were given and change nothing in this call.
 /// @param needs  "without --tone falsecolour"
 /// @throws UsageError

@@ -28,6 +28,13 @@ DiscretiseCommand::DiscretiseCommand(Program& program) : program_(program) {
   auto& app = program.app();
   add_zone_options(app, input_, false);
   app.add_option("-o,--output", output_, "Ray network to write, - for standard output")->type_name("FILE");
+  app.add_option("--accuracy", accuracy_,
+                 "Error that dimray is to reach at 95 % of the measuring points, kept in the file: it starts from few "
+                 "patches and refines what it has to")
+      ->check(share_or_percent())
+      ->type_name("P%")
+      ->default_str("")
+      ->group("Accuracy");
   app.add_option("--patches", patches_, "Hemisphere patches of a cell: AxB (slices x sectors) or a total")
       ->group("Accuracy");
   app.add_option("--point-patches", point_patches_,
@@ -50,7 +57,8 @@ Exit DiscretiseCommand::run() {
   program_.check_output(output_, {input_.path});
   refuse_database_file(output_, database_search(input_.database, input_.path));
   NetworkOptions options;
-  options.patches = patches_of(patches_, "--patches");
+  const bool few = !accuracy_.empty() && program_.app().count("--patches") == 0;
+  options.patches = few ? PatchGrid{8, 16} : patches_of(patches_, "--patches");
   const bool automatic = point_patches_ == "auto";
   if (!automatic) options.point_patches = patches_of(point_patches_, "--point-patches");
   options.sampling = sampling_ == "centre" ? Sampling::centre : Sampling::stratified;
@@ -67,7 +75,8 @@ Exit DiscretiseCommand::run() {
   program_.stage("cells");
   const Cells cells(zone);
   program_.stage("rays");
-  const Network network = build_network(zone, cells, options, job);
+  Network network = build_network(zone, cells, options, job);
+  if (!accuracy_.empty()) network.accuracy = share_of(accuracy_);
   judge_points(network, zone);
   Warnings warnings = left_out_warnings(zone);
   for (auto& warning : back_warnings(network.back_share, zone)) warnings.push_back(std::move(warning));

@@ -38,6 +38,7 @@ class DiscretiseCommand {
   ZoneInput input_;
   std::string output_;
   std::string patches_ = "16x32";
+  std::string accuracy_;
   std::string point_patches_ = "auto";
   std::string sampling_ = "stratified";
   bool family_ = false;

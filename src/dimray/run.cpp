@@ -1,5 +1,7 @@
 #include "dimray/run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -12,6 +14,7 @@
 #include "dimray/explain.hpp"
 #include "dimray/report.hpp"
 #include "result/lum_file.hpp"
+#include "result/to_accuracy.hpp"
 #include "scene/lights_at_points.hpp"
 #include "scene/lights_reader.hpp"
 
@@ -76,6 +79,13 @@ SolveCommand::SolveCommand(Program& program) : program_(program) {
   app.add_option("--tolerance", tolerance_, "Stop when a reflection changes no cell by more than this share of its own")
       ->check(number_within(1e-12, 0.5))
       ->type_name("SHARE")
+      ->group("Accuracy");
+  app.add_option("--accuracy", accuracy_,
+                 "Refine cells, rays and tolerance until the stated error of 95 % of the measuring points is no more "
+                 "than this share of their illuminance; exit 1 where that is not reached")
+      ->check(share_or_percent())
+      ->type_name("P%")
+      ->default_str("")
       ->group("Accuracy");
   add_bands_option(app, bands_);
   app.add_option("--solver", solver_,
@@ -146,7 +156,7 @@ Exit SolveCommand::run() {
   if (rays_ == "-" && lights_ == "-") throw UsageError("only one of the two inputs can be standard input");
   refuse_terminal(output_, "a luminance database");
   if (solver_ != "track") refuse_without_effect(program_.app(), {"--threshold"}, "without --solver track");
-  if (solver_ == "track") refuse_without_effect(program_.app(), {"--tolerance"}, "with --solver track");
+  if (solver_ == "track") refuse_without_effect(program_.app(), {"--tolerance", "--accuracy"}, "with --solver track");
   program_.check_output(output_, {rays_, lights_});
   program_.stage("read");
   RaysFile rays = load_rays(rays_, program_.job());
@@ -159,7 +169,9 @@ Exit SolveCommand::run() {
   const Job job = program_.job();
   Warnings warnings;
   const BandChoice bands = chosen_bands(program_, bands_, rays.zone, all_lights);
-  const SimulationOptions chosen = options(bands.bands);
+  SimulationOptions chosen = options(bands.bands);
+  const double share = accuracy_.empty() ? rays.network.accuracy : share_of(accuracy_);
+  const Exit accurate = share > 0.0 && chosen.solver == Solver::gather ? refine(rays, all_lights, chosen, share) : Exit::done;
   const Solution solution = in_file(
       rays_, [&] { return simulate(rays.zone, cells, rays.network, all_lights, chosen, job, warnings); });
   program_.warn(warnings);
@@ -171,9 +183,31 @@ Exit SolveCommand::run() {
   stats["solver"] = solver_;
   stats["input_hash"] = rays.hash;
   stats["output_hash"] = hash;
-  const Exit judged = report(program_, solution, {solver_ == "track", tolerance_});
+  const Exit judged = report(program_, solution, {solver_ == "track", chosen.gather.tolerance});
   if (explain_) explain(program_, solution, bands);
-  return judged;
+  return judged == Exit::done ? accurate : judged;
+}
+
+Exit SolveCommand::refine(RaysFile& rays, const Lights& lights, SimulationOptions& options, double share) {
+  const ToAccuracy result =
+      in_file(rays_, [&] { return refine_to_accuracy(rays, lights, options, share, program_.job()); });
+  const auto& patches = rays.network.patches;
+  const auto& point_patches = rays.network.point_patches;
+  const std::string text = fmt::format(
+      "accuracy: {:.2g} % stated at 95 % of the points, {:.2g} % asked for; cells {:.2f} times as large as the file's, "
+      "{}x{} patches, {}x{} at points, tolerance {:.1e}",
+      100.0 * result.stated, 100.0 * share, result.cell_size, patches.n_slices, patches.n_sectors,
+      point_patches.n_slices, point_patches.n_sectors, result.tolerance);
+  program_.say(text);
+  auto& stats = program_.stats();
+  stats["accuracy_asked"] = share;
+  stats["accuracy_stated"] = result.stated;
+  stats["accuracy_networks"] = result.n_networks;
+  if (result.reached) return Exit::done;
+  program_.warn({{{rays_}, fmt::format("the accuracy asked for was not reached: {:.2g} % in place of {:.2g} %",
+                                       100.0 * result.stated, 100.0 * share),
+                  "it takes more than a billion rays or more memory than there is; ask for less"}});
+  return Exit::check_failed;
 }
 
 }  // namespace dim

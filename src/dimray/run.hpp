@@ -19,6 +19,7 @@ class SolveCommand {
  private:
   SimulationOptions options(const Bands& bands) const;
   Lights lights(const Zone& zone, const DatabaseSearch& search);
+  Exit refine(RaysFile& rays, const Lights& lights, SimulationOptions& options, double share);
 
   Program& program_;
   std::string rays_;
@@ -28,6 +29,7 @@ class SolveCommand {
   std::vector<std::string> finishes_;
   std::string database_;
   std::string combine_ = "each";
+  std::string accuracy_;
   double tolerance_ = GatherOptions{}.tolerance;
   std::string bands_ = "auto";
   std::string solver_ = "gather";

@@ -492,6 +492,27 @@ TEST_CASE("A tail of images is told within what is said to be uncertain", "[mirr
   CHECK(tail_of_images({}, f).uncertain_lx == 0.0);
 }
 
+TEST_CASE("What hides a mirror from a light hides the light in the mirror", "[mirror][unit]") {
+  // The way from the lamp to the mirror at x = 0 passes x = 1 at y = 1.75, the way on to the point at y = 2.25.
+  const auto lx = [](double reflectance, double low_y, double high_y) {
+    Zone zone = room(kSize, 0.0);
+    if (reflectance > 0.0) make_mirror_of(zone, kX0, reflectance);
+    for (const bool front : {true, false}) {
+      Ring3 ring = {{1, low_y, 1}, {1, high_y, 1}, {1, high_y, 2}, {1, low_y, 2}};
+      if (!front) std::reverse(ring.begin(), ring.end());
+      add_surface(zone, front ? "screen" : "screen back", ring, 0, 0.5);
+      zone.surfaces.back().bounding = false;
+      zone.surfaces.back().twin = front ? 7 : 6;
+    }
+    zone.points = {{{2, 2.5, 1.5}, {0, -1, 0}}};
+    return point_lx(solve(zone, point_lamp({2, 1.5, 1.5}, 100.0), network_of(zone, {2, 4})))[0];
+  };
+  const double alone = lx(0.0, 0.2, 0.4);
+  CHECK(lx(0.9, 0.2, 0.4) > 1.01 * alone);
+  CHECK(lx(0.9, 1.6, 1.9) == Approx(alone).epsilon(1e-9));
+  CHECK(lx(0.9, 2.1, 2.4) == Approx(alone).epsilon(1e-9));
+}
+
 TEST_CASE("Energy closes with mirrors that something stands between", "[mirror][property]") {
   Zone zone = room(kSize, 0.5);
   for (const int face : {kX0, kX1, kY1}) make_mirror_of(zone, face, 0.92);

@@ -49,6 +49,7 @@ struct Network {
   std::vector<double> visible;              ///< [n_cells] share of the hemisphere whose rays end on cells
   std::vector<double> row_scale;            ///< [n_cells]
   std::vector<double> column_scale;         ///< [n_cells]
+  double accuracy = 0.0;                    ///< share that `dimdis --accuracy` asked for; 0: none
   double imbalance = 0.0;                   ///< of scaled columns against their dues, see `balance`
   std::uint64_t n_escaped_rays = 0;         ///< of cells: ended nowhere, into the open
   std::uint64_t n_back_rays = 0;            ///< of cells: met the back of a surface
