@@ -77,3 +77,28 @@ plane() { awk -F'"' '/^\[\[plane\]\]/ { on = 1 } on && /^name/ { print $2; exit 
   sed -i 's/plane = .*/plane = "nowhere"/' easy.toml
   refused 3 "easy.toml:3:.*nowhere" dimout check room.lum --require easy.toml
 }
+
+@test "--accuracy is reached, said, and kept in the network" {
+  share() { dimout grid "$1" | awk -F, 'NR > 1 && $9 > 0 { n++; bad += $NF > s * $9 } END { exit !(n > 0 && bad <= 0.05 * n) }' s="$2"; }
+  dimray room.rays room.lights.toml --accuracy 0.2% -o fine.lum 2> said
+  grep -E "accuracy: 0\.[0-9]+ % stated at 95 % of the points, 0.2 % asked for" said
+  share fine.lum 0.002
+  run ! share room.lum 0.0001
+  dimdis room.zone.toml --accuracy 0.2% -o asked.rays
+  dimray asked.rays room.lights.toml -o asked.lum 2> said
+  grep "0.2 % asked for" said
+  share asked.lum 0.002
+}
+
+@test "--accuracy that is no share, or of light whose error is not known, is refused" {
+  for wrong in 0 -1% 60% x 2%%; do
+    refused 2 "not a share of at most 50 %" dimray room.rays room.lights.toml --accuracy "$wrong" -o x.lum
+    refused 2 "not a share of at most 50 %" dimdis room.zone.toml --accuracy "$wrong" -o x.rays
+  done
+  refused 2 "no effect with --solver track" dimray room.rays room.lights.toml --accuracy 1% --solver track -o x.lum
+  sed '/^\[\[luminaire\]\]/,$d' room.lights.toml > dark.lights.toml
+  printf '[[luminaire]]\nname = "in the floor"\nideal = "isotropic"\nintensity = 0\nat = [1, 1, 1]\n' >> dark.lights.toml
+  run --separate-stderr dimray room.rays dark.lights.toml --accuracy 1% -o x.lum
+  [ "$status" -eq 3 ]
+  [[ "$stderr" == *"no measuring point is lit"* ]]
+}

@@ -4,6 +4,7 @@
 
 #include "catch.hpp"
 #include "property/transport_support.hpp"
+#include "light/direct_light.hpp"
 #include "light/opening_region.hpp"
 
 using namespace dim;
@@ -209,4 +210,45 @@ TEST_CASE("Beams of a quarter of a degree keep their flux", "[direct][validation
   CHECK(lm == Approx(table.flux_lm()).epsilon(1e-3));
   // First flights are drawn from the beam.
   CHECK(flights_of(zone, lights, 4096)[0].flux_lm == Approx(table.flux_lm()).epsilon(1e-3));
+}
+
+TEST_CASE("However few the lines, the visible share has no bias", "[direct][validation]") {
+  // A box before a luminous floor, seen from a cell of the ceiling: of a pair halved often each part has few lines.
+  Zone zone = box_zone({4.1, 3.3, 2.6}, 0.0, 0.2);
+  add_box(zone, "box.", {-0.9, -0.6, -0.5}, {0.4, 0.5, 0.3}, 0, 0.2, true);
+  const Cells cells(zone);
+  Lights lights;
+  add_lamp(lights, "floor", {0, 0, -1.3}, IntensityTable::lambertian(94.7),
+           {.aim = {0, 0, 1}, .opening = rectangle(4.1, 3.3)});
+  const Obstructions obstructions(zone, lights);
+  const auto sources = own_sources(zone, lights);
+  std::size_t cell = cells.first(1);
+  const auto away = [&](std::size_t i) {
+    return glm::length(zone.surfaces[1].polygon.frame().to_world(cells[i].centroid) - Vec3(-0.2, -0.58, 1.3));
+  };
+  for (std::size_t i = cells.first(1); i < cells.first(2); ++i) cell = away(i) < away(cell) ? i : cell;
+  struct Mean {
+    double lx, deviation_lx;
+  };
+  const auto mean_of = [&](int lines, int n) {
+    PairOptions options;
+    options.shadow_lines = lines;
+    const auto integrators = make_integrators(zone, sources, obstructions, options);
+    Receiver receiver = cell_receiver(zone, cells, cell);
+    double sum = 0.0, squares = 0.0;
+    for (int k = 0; k < n; ++k) {
+      receiver.stream = mix(static_cast<std::uint64_t>(k) + 1);
+      const double lx = integrators[0].mean(receiver).lx;
+      sum += lx;
+      squares += lx * lx;
+    }
+    return Mean{sum / n, std::sqrt((squares / n - sum * sum / n / n) / n)};
+  };
+  const Mean exact = mean_of(8192, 100);
+  for (const int lines : {16, 64, 128, 256}) {
+    const Mean few = mean_of(lines, 6000);
+    CAPTURE(lines, few.lx, few.deviation_lx, exact.lx, exact.deviation_lx);
+    CHECK(std::abs(few.lx - exact.lx) <= 4.0 * (few.deviation_lx + exact.deviation_lx));
+    CHECK(few.deviation_lx < 2e-3 * exact.lx);
+  }
 }

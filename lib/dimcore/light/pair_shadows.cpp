@@ -20,7 +20,8 @@ constexpr int kLinesPerTrial = 32, kMostTrials = 8;
 constexpr FoldedLattice4::Generators kAcrossEdges = {1, 1, 1, 3, 3, 3, 37, 21, 69, 187, 493};
 
 // Sums of free and visible light over two interleaved halves of the samples, and the unbiased estimate they
-// give: the visible share that corrects one half is taken from the other. At least two samples; exactly 0 or all
+// give: the visible share that corrects one half is taken from the other. Halves of few points of a lattice know too much
+// of each other for that; a share that nobody chose corrects them. At least two samples; exactly 0 or all
 // of the free light where they agree.
 class HalfSums {
  public:
@@ -33,9 +34,14 @@ class HalfSums {
   }
   DirectEstimate estimate(double free_lx) const {
     std::array<double, 2> lx{};
+    const double free = half_[0].free + half_[1].free, visible = half_[0].visible + half_[1].visible;
+    const bool few = half_[0].n + half_[1].n <= kFewSamples && visible > 0.0 && visible < free;
     for (std::size_t h = 0; h < 2; ++h) {
       const Half &own = half_[h], &other = half_[1 - h];
-      const double share = other.free > 0.0 ? other.visible / other.free : own.free > 0.0 ? own.visible / own.free : 0.5;
+      const double share = few                ? kShareOfFew
+                           : other.free > 0.0 ? other.visible / other.free
+                           : own.free > 0.0   ? own.visible / own.free
+                                              : kShareOfFew;
       lx[h] = share * free_lx + (own.n > 0.0 ? (own.visible - share * own.free) / own.n : 0.0);
     }
     const double mean = 0.5 * (lx[0] + lx[1]), apart = 0.5 * (lx[0] - lx[1]);
@@ -43,6 +49,7 @@ class HalfSums {
   }
 
  private:
+  static constexpr double kFewSamples = 8.0, kShareOfFew = 0.5;
   struct Half {
     double n = 0.0, free = 0.0, visible = 0.0;
   };

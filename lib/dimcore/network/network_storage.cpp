@@ -184,7 +184,7 @@ std::string save_rays(const std::string& path, const Zone& zone, const Cells& ce
   file.attribute("/network", "sampling", network.sampling == Sampling::centre ? "centre" : "stratified");
   file.attribute("/network", "seed", std::to_string(network.seed));
   file.attribute("/network", "imbalance", network.imbalance);
-  if (network.accuracy > 0.0) file.attribute("/network", "accuracy", network.accuracy);
+  file.attribute("/network", "accuracy", network.accuracy);
   file.attribute("/network", "escaped_rays", network.n_escaped_rays);
   file.attribute("/network", "back_rays", network.n_back_rays);
   return std::move(file).write(path, job);
@@ -211,7 +211,7 @@ const FileSchema& rays_schema() {
     for (const char* count : {"escaped_rays", "back_rays"})
       network.attributes.push_back({"/network", count, AttributeType::integer, 0, kMostRays});
     network.attributes.push_back({"/network", "imbalance", AttributeType::number, -kAnything, kAnything});
-    network.attributes.push_back({"/network", "accuracy", AttributeType::number, 1e-12, 0.5, true});
+    network.attributes.push_back({"/network", "accuracy", AttributeType::number, 0.0, 0.5});
     network.attributes.push_back({"/network", "sampling", AttributeType::text});
     network.attributes.push_back({"/network", "seed", AttributeType::text});
     network.datasets = {
@@ -244,8 +244,7 @@ RaysFile load_rays(const std::string& path, const Job& job) {
   network.sampling =
       file.text_attribute("/network", "sampling") == "centre" ? Sampling::centre : Sampling::stratified;
   network.seed = load_seed(file, path);
-  if (file.has_attribute("/network", "accuracy"))
-    network.accuracy = file.number_attribute("/network", "accuracy");
+  network.accuracy = file.number_attribute("/network", "accuracy");
   network.imbalance = file.number_attribute("/network", "imbalance");
   network.n_escaped_rays = static_cast<std::uint64_t>(file.integer_attribute("/network", "escaped_rays"));
   network.n_back_rays = static_cast<std::uint64_t>(file.integer_attribute("/network", "back_rays"));
