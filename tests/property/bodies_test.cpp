@@ -112,6 +112,20 @@ TEST_CASE("Rays meet bodies as if the zone had been traced with them", "[bodies]
   CHECK(on_bodies > 1000);
 }
 
+TEST_CASE("Rays meet the ends of long bodies", "[bodies][network][property]") {
+  const Zone zone = furnished_room(0.5, 0.5);
+  const Cells cells(zone);
+  Lights lights;
+  add_lamp(lights, "tube", {0.2, 0.1, 0.9}, IntensityTable::lambertian(100.0),
+           {.opening = rectangle(2.4, 0.06), .body = true});
+  NetworkOptions options;
+  options.patches = {24, 48};
+  options.point_patches = {16, 32};
+  const auto room = add_bodies(zone, cells, build_network(zone, cells, options, Job{}), lights, Job{});
+  REQUIRE(room);
+  check_same(room->network, build_network(room->zone, Cells(room->zone), options, Job{}));
+}
+
 TEST_CASE("Sinks widen where bodies make the cells too many for two bytes", "[bodies][network][property]") {
   Zone zone = box_zone({8, 8, 8}, 0.5, 1.0);
   zone.surfaces[0].grid = {255, 255};

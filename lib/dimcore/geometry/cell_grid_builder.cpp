@@ -89,7 +89,7 @@ void CellGridBuilder::find_passages() {
                      std::min(n - 1, static_cast<int>(step(to + narrow_m_))));
   };
   for (std::size_t b = 0; b < barriers_.size(); ++b) {
-    const auto& [p, q] = barriers_[b].segment;
+    const Vec2 p = barriers_[b].segment.a, q = barriers_[b].segment.b;
     const Vec2 least = glm::min(p, q), most = glm::max(p, q), way = q - p;
     const auto [j0, j1] = range(least.y, most.y, grid_.per_m_.y, grid_.nv_);
     for (int j = j0; j <= j1; ++j) {

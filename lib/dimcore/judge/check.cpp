@@ -57,10 +57,11 @@ class Checker {
  private:
   Mix maintained(const Requirements& requirements) const {
     std::vector<double> factor(input_.initial.size(), requirements.maintenance_factor);
-    for (const auto& [name, value] : requirements.maintenance) {
+    for (const auto& entry : requirements.maintenance) {
+      const std::string& name = entry.first;
       const auto named = at_place(requirements.maintenance_place.at(name),
                                   [&] { return sources_named(name, database_.sources(), "[maintenance]"); });
-      for (const std::size_t s : named) factor[s] = value;
+      for (const std::size_t s : named) factor[s] = entry.second;
     }
     Mix mix = input_.initial;
     for (std::size_t s = 0; s < mix.size(); ++s)
