@@ -11,7 +11,7 @@ namespace dim {
 namespace {
 
 float stored(double value) {
-  constexpr double kMost = std::numeric_limits<float>::max();
+  constexpr double kMost = static_cast<double>(std::numeric_limits<float>::max());
   if (!(value <= kMost)) return std::numeric_limits<float>::infinity();  // NaN as well; see check_storable
   return static_cast<float>(std::max(value, 0.0));
 }
@@ -117,7 +117,7 @@ Reflectances diffuse_reflectances(const Zone& zone, const ModelPlan& plan) {
 }
 
 Assembly::Assembly(const Room& room, const ModelPlan& plan, const Shine& shine, const Bands& bands)
-    : room_(room), plan_(plan), shine_(shine) {
+    : plan_(plan), shine_(shine) {
   solution_.bands = bands;
   solution_.classes = plan.classes;
   solution_.sources = plan.sources;

@@ -36,7 +36,6 @@ class Assembly {
   Solution finish();
 
  private:
-  const Room& room_;
   const ModelPlan& plan_;
   const Shine& shine_;
   std::vector<float> point_direct_deviation_;  // kept where the other parts of the error are known as well
