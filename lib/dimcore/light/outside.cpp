@@ -42,7 +42,7 @@ struct Outside::Links {
 
 Outside::Outside(const Zone& zone, const RayCaster& caster, const OutsideLight& light,
                  const std::vector<std::vector<double>>& reflectance, const Job& job)
-    : zone_(zone), caster_(caster), light_(light), around_of_(zone.surfaces.size(), -1) {
+    : caster_(caster), light_(light), around_of_(zone.surfaces.size(), -1) {
   ground_m_ = zone.site && zone.site->ground_m ? *zone.site->ground_m : lowest_corner_m(zone);
   around_.finishes = zone.finishes;
   around_.diameter_m = zone.diameter_m;

@@ -39,7 +39,6 @@ class Outside {
   Links links(const Job& job) const;
   void add_sun(Links& links) const;
 
-  const Zone& zone_;
   const RayCaster& caster_;
   const OutsideLight& light_;
   Zone around_;                   // the outside surfaces alone
