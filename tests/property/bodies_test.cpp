@@ -27,11 +27,11 @@ Zone open_room(double reflectance) {
   return zone;
 }
 
-// Panels, boxes and round ones, hanging, tilted and touching.
+// Panels, boxes and round ones, hanging, tilted and touching; none lies on a surface.
 Lights many_bodies(bool body = true) {
   const auto table = IntensityTable::lambertian(100.0);
   Lights lights;
-  add_lamp(lights, "panel", {0.3, 0.2, 1.39}, table, {.opening = rectangle(0.6, 0.6), .body = body});
+  add_lamp(lights, "panel", {0.3, 0.2, 1.33}, table, {.opening = rectangle(0.6, 0.6), .body = body});
   add_lamp(lights, "box", {-1.5, -0.7, 0.6}, table,
            {.aim = {0.3, 0.1, -1}, .opening = shaped(OpeningShape::kBox, 1.2, 0.3, 0.15), .body = body});
   add_lamp(lights, "can", {1.6, -1.2, 0.9}, table,
@@ -57,12 +57,12 @@ void check_same(const Network& a, const Network& b) {
   CHECK(n_different == 0);
   CHECK(a.n_escaped_rays == b.n_escaped_rays);
   CHECK(a.n_back_rays == b.n_back_rays);
-  CHECK(a.point_back_fraction == b.point_back_fraction);
-  CHECK(a.visible == b.visible);
-  CHECK(a.row_scale == b.row_scale);
-  CHECK(a.column_scale == b.column_scale);
-  CHECK(a.extra.cell == b.extra.cell);
-  CHECK(a.extra.weight == b.extra.weight);
+  CHECK((a.point_back_fraction == b.point_back_fraction));
+  CHECK((a.visible == b.visible));
+  CHECK((a.row_scale == b.row_scale));
+  CHECK((a.column_scale == b.column_scale));
+  CHECK((a.extra.cell == b.extra.cell));
+  CHECK((a.extra.weight == b.extra.weight));
 }
 
 // Emitted light that ends in the room's and the bodies' cells, over what was emitted.
@@ -180,6 +180,9 @@ TEST_CASE("A closed room of one reflectance and one emission is uniform, bodies 
   const Zone zone = furnished_room(rho, 0.4);
   const Cells cells(zone);
   Lights lights = many_bodies();
+  for (const double below_m : {2e-4, 0.01, 0.03})
+    add_lamp(lights, "lying", {70.0 * below_m, 0.9, 1.4 - below_m}, IntensityTable::lambertian(1.0),
+             {.opening = rectangle(0.5, 0.7), .body = true});
   for (auto& luminaire : lights.luminaires) luminaire.body_reflectance = rho;
   const auto room = add_bodies(zone, cells, network_of(zone, kRays), lights, Job{});
   // Every cell receives 1 - rho directly: then every cell that sees only cells has E = 1.
@@ -259,8 +262,8 @@ TEST_CASE("Black bodies take light and white ones give it back", "[bodies][simul
                white = floor_lx(true, 0.8);
   CHECK(black < 0.98 * same);
   CHECK(white > 1.01 * same);
-  // Cells that a panel covers in part cost the ceiling some of its light.
-  CHECK(same == Approx(none).epsilon(0.02));
+  // A panel of the ceiling's own reflectance is not seen, whichever part of a cell it covers.
+  CHECK(same == Approx(none).epsilon(2e-3));
 }
 
 TEST_CASE("The order of luminaires with bodies does not matter", "[bodies][network][property]") {

@@ -121,7 +121,7 @@ void check_bounds(const ShinyRoom& room) {
 
 TEST_CASE("The bound holds with mirrors and with lobes", "[gather][shine][property]") {
   const Kind kind = GENERATE(Kind::mirrors, Kind::lobes, Kind::both);
-  std::mt19937_64 random(GENERATE(range(1, 5)));
+  std::mt19937_64 random(GENERATE(range(1UL, 5UL)));
   check_bounds(ShinyRoom(shiny_room(kind, random)));
 }
 

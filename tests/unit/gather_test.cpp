@@ -252,7 +252,7 @@ TEST_CASE("Running out of iterations is told by the bound", "[gather][unit]") {
 }
 
 TEST_CASE("Bounds hold at every tolerance and are not far off in a grey room", "[gather][property]") {
-  std::mt19937_64 random(GENERATE(range(1, 13)));
+  std::mt19937_64 random(GENERATE(range(1UL, 13UL)));
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   const bool grey = GENERATE(false, true);
   Zone zone = random() % 2 ? furnished_room(0.3 + 0.6 * uniform(random), 0.5) : labyrinth(0.7, 0.5);

@@ -32,6 +32,12 @@ void Cells::add_surfaces_from(std::size_t first, const Zone& zone,
   }
 }
 
+void Cells::leave_free(std::size_t cell, AreaSampler free) {
+  free_share_.resize(size(), 1.0);
+  free_share_[cell] = free.area() / (*this)[cell].area_m2;
+  free_parts_.insert_or_assign(cell, std::move(free));
+}
+
 std::vector<Plate> plates_of(std::span<const Surface> surfaces) {
   std::vector<Plate> plates;
   plates.reserve(surfaces.size());

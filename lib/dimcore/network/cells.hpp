@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
+#include "geometry/area_sampler.hpp"
 #include "geometry/cell_grid.hpp"
 #include "geometry/ray_caster.hpp"
 #include "scene/zone.hpp"
@@ -33,7 +35,25 @@ class Cells {
     const std::size_t surface = surface_of_[cell];
     return grids_[surface].cells()[cell - first_[surface]];
   }
-  double area_m2(std::size_t cell) const { return (*this)[cell].area_m2; }
+  /// What gives and takes light: the free part of cells that something lies on.
+  double area_m2(std::size_t cell) const { return (*this)[cell].area_m2 * free_share(cell); }
+
+  /// States that only `free`, some part of the cell in its surface's local frame, is not covered by something
+  /// that lies on it. The cell keeps its outline.
+  void leave_free(std::size_t cell, AreaSampler free);
+  /// States that all of the cell is covered: no light reaches it or leaves it, whatever its area.
+  void cover(std::size_t cell) { free_parts_.insert_or_assign(cell, AreaSampler()); }
+  bool covered(std::size_t cell) const {
+    const auto found = free_parts_.find(cell);
+    return found != free_parts_.end() && !(found->second.area() > 0.0);
+  }
+  /// Share of the cell, (0, 1], that nothing lies on; 1 where it is covered.
+  double free_share(std::size_t cell) const { return free_share_.empty() ? 1.0 : free_share_[cell]; }
+  /// That part, null where it is the whole cell or nothing.
+  const AreaSampler* free_part(std::size_t cell) const {
+    const auto found = free_parts_.find(cell);
+    return found == free_parts_.end() || !(found->second.area() > 0.0) ? nullptr : &found->second;
+  }
   /// Corners of the convex cell, counter-clockwise, in its surface's local frame.
   void outline(std::size_t cell, Ring2& corners) const {
     const std::size_t surface = surface_of_[cell];
@@ -65,6 +85,8 @@ class Cells {
   std::vector<Axes> axes_;
   std::vector<std::size_t> first_;  // [n_surfaces + 1]
   std::vector<std::uint32_t> surface_of_;
+  std::vector<double> free_share_;                // [size()], empty where nothing lies on any
+  std::map<std::size_t, AreaSampler> free_parts_;
   double back_m_ = 0.0;
 };
 

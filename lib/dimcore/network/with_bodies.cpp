@@ -12,6 +12,7 @@
 #include "network/balance.hpp"
 #include "network/family.hpp"
 #include "network/landing.hpp"
+#include "network/lying_bodies.hpp"
 #include "network/ray_pattern.hpp"
 #include "scene/luminaire_body.hpp"
 
@@ -26,6 +27,10 @@ struct Counts {
   void add(const Landing& landing, int n) {
     escaped += landing.escaped ? n : 0;
     back += landing.back ? n : 0;
+  }
+  void add(const Counts& counts, int n) {
+    escaped += n * counts.escaped;
+    back += n * counts.back;
   }
 };
 
@@ -71,6 +76,11 @@ class RayMeetsBodies {
 
   // Sinks of a zone cell's row.
   Counts cell_row(std::size_t cell, SinkTable& sinks) const {
+    if (room_.cells.free_part(cell) != nullptr) {
+      Counts counts = new_row(cell, sinks);
+      counts.add(without_bodies(cell), -1);
+      return counts;
+    }
     const std::size_t surface = cells_.surface_of(cell);
     PatchMask mask(network_.patches);
     if (!before_[surface].empty()) {
@@ -93,25 +103,49 @@ class RayMeetsBodies {
     return row(rays, network_.point_patches, mask, network_.point_sinks, point, sinks);
   }
 
-  // Sinks of a body cell's row.
-  Counts body_row(std::size_t cell, SinkTable& sinks) const {
+  // Sinks of a body cell's row, or of a zone cell that bodies lie on: its rays start elsewhere.
+  Counts new_row(std::size_t cell, SinkTable& sinks) const {
     const RowRays rays(room_.zone, room_.cells, cell, network_.sampling, network_.seed);
+    const int body = std::max(rays.skip() - static_cast<int>(n_surfaces_), -1);
+    const int own = body < 0 ? rays.skip() : -1;
     Counts counts;
     for (std::size_t patch = 0; patch < network_.patches.n_patches(); ++patch) {
       const Ray ray = rays.ray(network_.patches, patch);
-      const Hit hit = own_.nearest(ray.from, ray.direction);
-      const Hit on_body =
-          bodies_.nearest(ray.from, ray.direction, rays.skip() - static_cast<int>(n_surfaces_));
-      const bool body = on_body.plate >= 0 && (hit.plate < 0 || on_body.t < hit.t);
-      const Landing landing =
-          body ? on_a_body(on_body, ray.direction) : landing_of(hit, ray.direction, room_.zone, room_.cells);
+      const Hit hit = own_.nearest(ray.from, ray.direction, own);
+      const Hit on_body = bodies_.nearest(ray.from, ray.direction, body);
+      const bool meets_body = on_body.plate >= 0 && (hit.plate < 0 || on_body.t < hit.t);
+      const Landing landing = meets_body ? on_a_body(on_body, ray.direction)
+                                         : landing_of(hit, ray.direction, room_.zone, room_.cells);
       counts.add(landing, 1);
-      sinks.set(cell, patch, landing.sink);
+      const bool beneath = body >= 0 && !meets_body && is_beneath_body(landing, hit);
+      sinks.set(cell, patch, beneath ? static_cast<std::uint32_t>(cell) : landing.sink);
     }
     return counts;
   }
 
  private:
+  // Whether a ray ends on the covered part of a cell. That part does not see the body, and so the body must not
+  // see it: what little light there is between them stays with the body.
+  bool is_beneath_body(const Landing& landing, const Hit& hit) const {
+    if (landing.sink >= cells_.size() || room_.cells.free_part(landing.sink) == nullptr) return false;
+    const Surface& surface = room_.zone.surfaces[static_cast<std::size_t>(hit.plate)];
+    const Frame& plane = surface.polygon.frame();
+    const Hit above = bodies_.nearest(plane.to_world(hit.local), plane.n);
+    return above.plate >= 0 && above.t <= lies_within_m(surface);
+  }
+
+  // What a cell's row counted before there were bodies.
+  Counts without_bodies(std::size_t cell) const {
+    const RowRays rays(room_.zone, cells_, cell, network_.sampling, network_.seed);
+    Counts counts;
+    for (std::size_t patch = 0; patch < network_.patches.n_patches(); ++patch) {
+      const Ray ray = rays.ray(network_.patches, patch);
+      counts.add(landing_of(own_.nearest(ray.from, ray.direction, rays.skip()), ray.direction, room_.zone, cells_),
+                 1);
+    }
+    return counts;
+  }
+
   std::vector<std::size_t> faces_before(std::size_t surface) const {
     std::vector<std::size_t> before;
     for (std::size_t face = 0; face < faces_.size(); ++face) {
@@ -203,7 +237,7 @@ void trace(BodiedRoom& room, const Zone& zone, const Cells& cells, const Network
   const Counts old_rows =
       for_rows(0, cells.size(), job, [&](std::size_t row) { return meets.cell_row(row, result.sinks); });
   const Counts new_rows = for_rows(cells.size(), room.cells.size(), job,
-                                   [&](std::size_t row) { return meets.body_row(row, result.sinks); });
+                                   [&](std::size_t row) { return meets.new_row(row, result.sinks); });
   const auto changed = [](std::uint64_t n, std::int64_t by) {
     return static_cast<std::uint64_t>(static_cast<std::int64_t>(n) + by);
   };
@@ -246,6 +280,7 @@ std::optional<BodiedRoom> add_bodies(const Zone& zone, const Cells& cells, const
   Zone full = with_bodies(zone, lights, mean_cell_m(cells));
   Cells all(cells, full);
   check_size(network, all.size(), job);
+  leave_free_of_bodies(all, full, zone.surfaces.size());
   BodiedRoom room{std::move(full), std::move(all), {}, lights, cells.size(), n_bodies};
   for (auto& luminaire : room.lights.luminaires) luminaire.body = false;
   room.network.patches = network.patches;

@@ -23,8 +23,8 @@ struct BodiedRoom {
 ///
 /// The rays are those that `build_network` casts for the zone with bodies, sink by sink, but only rows and
 /// patches whose cone meets a body are looked at again; rows of the bodies' own cells are traced. The bodies'
-/// cells are as large as the zone's are on the average. A body that touches a surface does not split its
-/// cells.
+/// cells are as large as the zone's are on the average. A body that lies on a surface does not split its
+/// cells: they keep their free part (see `leave_free_of_bodies`), from which their rays start.
 /// @throws LimitError   when the second copy of the network does not fit job.memory_limit_bytes
 /// @throws Interrupted
 std::optional<BodiedRoom> add_bodies(const Zone& zone, const Cells& cells, const Network& network,

@@ -48,6 +48,14 @@ std::vector<float> rows_of_columns(const Columns<float>& columns, std::size_t n_
   });
 }
 
+// The same of the zone's cells, as means over all of each: what bodies lie on is dark.
+std::vector<float> rows_of_cells(const Columns<float>& columns, const Cells& cells, std::size_t n_rows,
+                                 std::size_t n_sources) {
+  return transposed(n_rows, n_sources, columns.n_columns(), [&](std::size_t i, std::size_t column) {
+    return static_cast<double>(columns.value(i, column)) * cells.free_share(i);
+  });
+}
+
 // The same of light by direction, from flux per area into each patch to its mean per solid angle.
 std::vector<float> rows_of_states(const std::vector<float>& columns, const PatchGrid& grid,
                                   std::size_t n_sources, std::size_t n_columns) {
@@ -117,7 +125,7 @@ Reflectances diffuse_reflectances(const Zone& zone, const ModelPlan& plan) {
 }
 
 Assembly::Assembly(const Room& room, const ModelPlan& plan, const Shine& shine, const Bands& bands)
-    : plan_(plan), shine_(shine) {
+    : plan_(plan), shine_(shine), cells_(room.cells) {
   solution_.bands = bands;
   solution_.classes = plan.classes;
   solution_.sources = plan.sources;
@@ -133,7 +141,7 @@ Assembly::DirectAsColumns Assembly::add_direct(const DirectColumns& direct) {
   solution_.n_direct_classes = direct.n_columns / n_sources;
   DirectAsColumns columns{Columns<float>::from_rows(direct.cell, direct.n_columns),
                           Columns<float>::from_rows(direct.point, direct.n_columns)};
-  solution_.cell_direct = rows_of_columns(columns.cell, solution_.n_cells, n_sources);
+  solution_.cell_direct = rows_of_cells(columns.cell, cells_, solution_.n_cells, n_sources);
   solution_.point_direct = rows_of_columns(columns.point, solution_.n_points, n_sources);
   solution_.directional.direct = rows_of_states(direct.shine.psi, shine_.grid(), n_sources, plan_.n_columns());
   point_direct_deviation_ =
@@ -155,7 +163,7 @@ void Assembly::add_total(Gathered<float> gathered, const DirectColumns& direct,
     gathered.columns[c].error_bound += direct.uncertain[c];
   }
   const std::size_t n_sources = plan_.n_sources();
-  solution_.cell_total = rows_of_columns(gathered.cell, solution_.n_cells, n_sources);
+  solution_.cell_total = rows_of_cells(gathered.cell, cells_, solution_.n_cells, n_sources);
   solution_.point_total = rows_of_columns(gathered.point, solution_.n_points, n_sources);
   if (gathered.point_cells.n_rows() > 0) {
     solution_.point_cells = differences(gathered.point_cells, n_sources);

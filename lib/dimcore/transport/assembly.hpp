@@ -38,6 +38,7 @@ class Assembly {
  private:
   const ModelPlan& plan_;
   const Shine& shine_;
+  const Cells& cells_;
   std::vector<float> point_direct_deviation_;  // kept where the other parts of the error are known as well
   Solution solution_;
 };

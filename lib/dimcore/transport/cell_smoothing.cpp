@@ -20,6 +20,7 @@ CellSmoothing::CellSmoothing(const Cells& cells) : first_(cells.size() + 1, 0) {
         const int other = grid.middle_cell(square, axis == 0, axis == 1);
         if (other < 0 || other == own) continue;
         const std::size_t i = first + static_cast<std::size_t>(own), j = first + static_cast<std::size_t>(other);
+        if (cells.covered(i) || cells.covered(j)) continue;
         const double shared_m2 = kShare * std::min(cells.area_m2(i), cells.area_m2(j));
         next_to[i].push_back({static_cast<std::uint32_t>(j), shared_m2 / cells.area_m2(i)});
         next_to[j].push_back({static_cast<std::uint32_t>(i), shared_m2 / cells.area_m2(j)});

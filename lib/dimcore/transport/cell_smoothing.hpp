@@ -13,8 +13,8 @@ namespace dim {
 /// Cells hold means and hand them on as constants: each smooths the light over a cell, and both together bring
 /// too little of it from where it is bright to what lies near. Smoothed once more over twice the cells' size, by
 /// 1/4, 1/2, 1/4 along both axes of a surface's squares, the light tells by how much. Cells exchange with the
-/// four next to them, where neither an edge nor a joint stands between and as far as the smaller one reaches, so
-/// that flux is kept.
+/// four next to them, where neither an edge nor a joint stands between, neither is covered by a body, and as far as
+/// the smaller one reaches, so that flux is kept.
 class CellSmoothing {
  public:
   explicit CellSmoothing(const Cells& cells);

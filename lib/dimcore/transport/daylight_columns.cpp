@@ -171,7 +171,7 @@ void DaylightSources::add_to(DirectColumns& direct, const ModelPlan& plan, const
   const std::size_t n_tints = direct.n_columns / n_sources;
   tbb::enumerable_thread_specific<SlotSums> of_thread(
       [&] { return SlotSums(windows_, *panes_, *outside_, *flux_); });
-  const auto add = [&](const Receiver& receiver, double* row) {
+  const auto add = [&](const Receiver& receiver, double free_share, double* row) {
     SlotSums& sums = of_thread.local();
     sums.clear();
     const ReceiverArea area = area_of(receiver);
@@ -181,17 +181,17 @@ void DaylightSources::add_to(DirectColumns& direct, const ModelPlan& plan, const
     for (std::size_t q = 0; q < n_tints; ++q)
       for (std::size_t s = 0; s < origin_.size(); ++s)
         row[q * n_sources + first_ + s] +=
-            lx[panes_->slot(origin_[s].group, origin_[s].state, q) * n_outside_columns() + origin_[s].column];
+            lx[panes_->slot(origin_[s].group, origin_[s].state, q) * n_outside_columns() + origin_[s].column] / free_share;
   };
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, room_.cells.size(), 8), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end() && !job.stopped(); ++i)
-      add(cell_receiver(room_.zone, room_.cells, i), &direct.cell[i * direct.n_columns]);
+      add(cell_receiver(room_.zone, room_.cells, i), room_.cells.free_share(i), &direct.cell[i * direct.n_columns]);
   });
   job.check();
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, room_.n_points(), 1), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end() && !job.stopped(); ++i) {
       const Frame frame = frame_at(room_.zone.points[i]);
-      add(point_receiver(frame, -1, point_key(room_.zone, i)), &direct.point[i * direct.n_columns]);
+      add(point_receiver(frame, -1, point_key(room_.zone, i)), 1.0, &direct.point[i * direct.n_columns]);
     }
   });
   job.check();

@@ -88,8 +88,9 @@ class Builder {
     return order;
   }
 
-  void on_cell(const CellLight& light) {
+  void on_cell(CellLight light) {
     if (!(light.lx > 0.0)) return;
+    light.lx /= room_.cells.free_share(light.cell);
     add(&result_.cell[light.cell * result_.n_columns], light.source(), middle_of(room_, light.cell),
         light.lx);
     const Shininess kind = shine_.of_cell(light.cell);

@@ -113,7 +113,8 @@ TEST_CASE("The office is lit as an independent tracer has it", "[rooms][validati
 }
 
 TEST_CASE("The office with black luminaires is lit as an independent tracer has it", "[bodies][validation]") {
-  const auto office = compare("examples/02-office", "office", "office-black-bodies", "workplane", true, 0.1);
+  const double cell_m = GENERATE(0.0, 0.15, 0.1);  // 0: as the file has them
+  const auto office = compare("examples/02-office", "office", "office-black-bodies", "workplane", true, cell_m);
   CHECK(office.n == 104);
   CHECK(std::abs(office.bias) < 1e-3);
 }
