@@ -59,6 +59,20 @@ CLI::Validator share_or_percent() {
   });
 }
 
+double seconds_of(const std::string& text) {
+  for (const auto& [unit, seconds] : {std::pair("min", 60.0), std::pair("ms", 1e-3), std::pair("h", 3600.0), std::pair("s", 1.0)}) {
+    if (text.ends_with(unit)) return seconds * number_of(text.substr(0, text.size() - std::string_view(unit).size()));
+  }
+  return number_of(text);
+}
+
+CLI::Validator seconds_text() {
+  return silent([](const std::string& text) -> std::string {
+    if (seconds_of(text) > 0.0) return {};
+    return fmt::format("'{}' is not a time above 0: write for example 10s or 2min", text);
+  });
+}
+
 CLI::Validator number_within(double low, double high, bool low_open) {
   return silent([=](const std::string& text) -> std::string {
     const double value = number_of(text);

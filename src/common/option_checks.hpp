@@ -19,6 +19,11 @@ CLI::Validator share_or_percent();
 /// The share that such a text says.
 double share_of(const std::string& text);
 
+/// Seconds above 0, written as `10`, `10s`, `500ms`, `2min` or `1h`.
+CLI::Validator seconds_text();
+/// The seconds that such a text says.
+double seconds_of(const std::string& text);
+
 /// Refuses options that were given and change nothing in this call.
 /// @param needs  "without --tone falsecolour"
 /// @throws UsageError

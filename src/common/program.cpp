@@ -270,6 +270,8 @@ void Program::stage(const std::string& name) {
   clock_->stage_start = StageClock::Clock::now();
 }
 
+double Program::elapsed_s() const { return StageClock::seconds(clock_->start); }
+
 void Program::write_stats() {
   if (stats_path_.empty()) return;
   auto& stats = *stats_;

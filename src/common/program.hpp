@@ -58,6 +58,8 @@ class Program {
 
   /// Starts the clock of a stage, ending the one before.
   void stage(const std::string& name);
+  /// Seconds since the program began.
+  double elapsed_s() const;
   /// What --stats writes, to be added to.
   nlohmann::json& stats() { return *stats_; }
   bool quiet() const { return quiet_; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -70,6 +71,7 @@ class TableCommands {
 
  private:
   void info();
+  std::string planes_info(const LuminanceDatabase& database, nlohmann::ordered_json& planes) const;
   void surfaces();
   void cells();
   void grid();

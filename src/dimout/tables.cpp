@@ -97,24 +97,57 @@ void TableCommands::info() {
                                {"error_bound", source.error_bound},
                                {"iterations", source.iterations}});
   }
+  json["planes"] = nlohmann::ordered_json::array();
+  text += planes_info(database, json["planes"]);
   program_.stage(kWritingStage);
   write_file(input_.output, input_.json ? json.dump(1) + "\n" : text);
+}
+
+// What each plane's stated error consists of.
+std::string TableCommands::planes_info(const LuminanceDatabase& database, nlohmann::ordered_json& planes) const {
+  const Mix mix(database.sources().size(), 1.0);
+  const auto errors = point_errors(database, mix);
+  const auto lx = point_illuminance_lx(database, mix);
+  const auto& zone = database.zone();
+  if (!errors || zone.point_sets.empty()) return {};
+  std::string text = fmt::format("{:<24} {:>10} {:>10} {:>10} {:>10} {:>10} {:>10}   stated at 95 % of the points, %\n",
+                                 "plane", "error", "bound", "cells ~", "rays ~", "their r. ~", "direct ~");
+  for (const auto& set : zone.point_sets) {
+    const StatedShare share = stated_share(*errors, lx, zone.points, set);
+    text += fmt::format("{:<24} {:>10.3g} {:>10.2g} {:>10.2g} {:>10.2g} {:>10.2g} {:>10.2g}\n", set.name,
+                        100.0 * share.total, 100.0 * share.bound, 100.0 * share.cells, 100.0 * share.rays,
+                        100.0 * share.cell_rays, 100.0 * share.direct);
+    planes.push_back({{"plane", set.name},
+                      {"error", share.total},
+                      {"bound", share.bound},
+                      {"estimate_cells", share.cells},
+                      {"estimate_rays", share.rays},
+                      {"estimate_cell_rays", share.cell_rays},
+                      {"estimate_direct", share.direct}});
+  }
+  return text + "bound: light between surfaces left out; ~: standard deviations estimated from the run itself, two of them "
+                "in the error\n";
 }
 
 void TableCommands::surfaces() {
   const LuminanceDatabase database = open_database(program_, input_);
   const Cells& cells = database.cells();
   Table table(columns_with_source(input_, {"surface", "area_m2", "illuminance_mean_lx", "illuminance_min_lx",
-                                           "illuminance_max_lx", "luminance_mean_cd_m2", "cie_x", "cie_y"}));
+                                           "illuminance_max_lx", "luminance_mean_cd_m2", "cie_x", "cie_y",
+                                           "error_lx"}));
   for_sources(database, input_, [&](const std::string& source, const Mix& mix) {
     const auto figures = surface_figures(cells, cell_appearance(database, cells, mix));
+    std::vector<double> mean_lx;
+    for (const auto& f : figures) mean_lx.push_back(f.illuminance_mean_lx);
+    const auto errors = surface_errors(database, mix, mean_lx);
     for (std::size_t s = 0; s < figures.size(); ++s) {
       if (database.zone().surfaces[s].outside) continue;
       const auto& f = figures[s];
       table.add(
           row_with_source(source, {database.zone().surfaces[s].name, f.area_m2, f.illuminance_mean_lx,
                                    f.illuminance_min_lx, f.illuminance_max_lx, f.xyz_mean_cd_m2.y,
-                                   chromaticity(f.xyz_mean_cd_m2, 0), chromaticity(f.xyz_mean_cd_m2, 1)}));
+                                   chromaticity(f.xyz_mean_cd_m2, 0), chromaticity(f.xyz_mean_cd_m2, 1),
+                                   errors ? (*errors)[s].total_lx() : kUnknown}));
     }
   });
   write_table(program_, table, input_);

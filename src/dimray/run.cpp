@@ -87,6 +87,13 @@ SolveCommand::SolveCommand(Program& program) : program_(program) {
       ->type_name("P%")
       ->default_str("")
       ->group("Accuracy");
+  app.add_option("--budget", budget_,
+                 "Refine in the same way as far as dimray ends within these seconds on this machine")
+      ->check(seconds_text())
+      ->type_name("SECONDS")
+      ->default_str("")
+      ->group("Accuracy")
+      ->excludes("--accuracy");
   add_bands_option(app, bands_);
   app.add_option("--solver", solver_,
                  "gather: from all cells at once; track: the paper's, ray by ray from a stack")
@@ -156,7 +163,7 @@ Exit SolveCommand::run() {
   if (rays_ == "-" && lights_ == "-") throw UsageError("only one of the two inputs can be standard input");
   refuse_terminal(output_, "a luminance database");
   if (solver_ != "track") refuse_without_effect(program_.app(), {"--threshold"}, "without --solver track");
-  if (solver_ == "track") refuse_without_effect(program_.app(), {"--tolerance", "--accuracy"}, "with --solver track");
+  if (solver_ == "track") refuse_without_effect(program_.app(), {"--tolerance", "--accuracy", "--budget"}, "with --solver track");
   program_.check_output(output_, {rays_, lights_});
   program_.stage("read");
   RaysFile rays = load_rays(rays_, program_.job());
@@ -171,7 +178,7 @@ Exit SolveCommand::run() {
   const BandChoice bands = chosen_bands(program_, bands_, rays.zone, all_lights);
   SimulationOptions chosen = options(bands.bands);
   const double share = accuracy_.empty() ? rays.network.accuracy : share_of(accuracy_);
-  const Exit accurate = share > 0.0 && chosen.solver == Solver::gather ? refine(rays, all_lights, chosen, share) : Exit::done;
+  const Exit accurate = refine(rays, all_lights, chosen, budget_.empty() ? share : 0.0);
   const Solution solution = in_file(
       rays_, [&] { return simulate(rays.zone, cells, rays.network, all_lights, chosen, job, warnings); });
   program_.warn(warnings);
@@ -189,18 +196,28 @@ Exit SolveCommand::run() {
 }
 
 Exit SolveCommand::refine(RaysFile& rays, const Lights& lights, SimulationOptions& options, double share) {
-  const ToAccuracy result =
-      in_file(rays_, [&] { return refine_to_accuracy(rays, lights, options, share, program_.job()); });
+  const bool timed = !budget_.empty();
+  if (options.solver != Solver::gather || (!timed && share == 0.0)) return Exit::done;
+  const ToAccuracy result = in_file(rays_, [&] {
+    return timed ? refine_within(rays, lights, options, {seconds_of(budget_), [&] { return program_.elapsed_s(); }},
+                                 program_.job())
+                 : refine_to_accuracy(rays, lights, options, share, program_.job());
+  });
   const auto& patches = rays.network.patches;
   const auto& point_patches = rays.network.point_patches;
+  const std::string asked =
+      timed ? fmt::format("{} asked for", budget_) : fmt::format("{:.2g} % asked for", 100.0 * share);
   const std::string text = fmt::format(
-      "accuracy: {:.2g} % stated at 95 % of the points, {:.2g} % asked for; cells {:.2f} times as large as the file's, "
+      "accuracy: {:.2g} % stated at 95 % of the points, {}; cells {:.2f} times as large as the file's, "
       "{}x{} patches, {}x{} at points, tolerance {:.1e}",
-      100.0 * result.stated, 100.0 * share, result.cell_size, patches.n_slices, patches.n_sectors,
+      100.0 * result.stated, asked, result.cell_size, patches.n_slices, patches.n_sectors,
       point_patches.n_slices, point_patches.n_sectors, result.tolerance);
   program_.say(text);
   auto& stats = program_.stats();
-  stats["accuracy_asked"] = share;
+  if (timed)
+    stats["budget_s"] = seconds_of(budget_);
+  else
+    stats["accuracy_asked"] = share;
   stats["accuracy_stated"] = result.stated;
   stats["accuracy_networks"] = result.n_networks;
   if (result.reached) return Exit::done;

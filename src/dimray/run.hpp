@@ -29,7 +29,7 @@ class SolveCommand {
   std::vector<std::string> finishes_;
   std::string database_;
   std::string combine_ = "each";
-  std::string accuracy_;
+  std::string accuracy_, budget_;
   double tolerance_ = GatherOptions{}.tolerance;
   std::string bands_ = "auto";
   std::string solver_ = "gather";

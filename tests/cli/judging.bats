@@ -90,6 +90,25 @@ plane() { awk -F'"' '/^\[\[plane\]\]/ { on = 1 } on && /^name/ { print $2; exit 
   share asked.lum 0.002
 }
 
+@test "--budget refines within a time and says what came of it" {
+  dimdis room.zone.toml --cell 1 --patches 4x8 -o coarse.rays
+  dimray coarse.rays room.lights.toml --budget 1ms -o little.lum 2> said
+  grep -E "accuracy: [0-9.]+ % stated at 95 % of the points, 1ms asked for; cells 1.00 times" said
+  dimray coarse.rays room.lights.toml --budget 60 -o more.lum --stats more.json 2> said
+  grep -E "accuracy: [0-9.]+ % stated at 95 % of the points, 60 asked for; cells 0\.[0-9]+ times" said
+  jq -e '.budget_s == 60 and .accuracy_networks > 0 and .seconds.total < 120' more.json
+  for wrong in 0 -1 soon 3days 10sec; do
+    refused 2 "not a time above 0" dimray room.rays room.lights.toml --budget "$wrong" -o x.lum
+  done
+  refused 2 "excludes" dimray room.rays room.lights.toml --budget 1s --accuracy 1% -o x.lum
+}
+
+@test "info says what each plane's stated error consists of" {
+  run --separate-stderr dimout info room.lum
+  [[ "$output" == *"stated at 95 % of the points"*"workplane"*"bound: light between surfaces left out"* ]]
+  dimout info room.lum --json | jq -e '.planes[0] | .error >= .bound and .error >= .estimate_cells and .estimate_rays > 0'
+}
+
 @test "--accuracy that is no share, or of light whose error is not known, is refused" {
   for wrong in 0 -1% 60% x 2%%; do
     refused 2 "not a share of at most 50 %" dimray room.rays room.lights.toml --accuracy "$wrong" -o x.lum

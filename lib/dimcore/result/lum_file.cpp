@@ -36,6 +36,12 @@ const char* dataset_of(TransferPart part) {
       return "/error/point_cell_rays";
     case TransferPart::point_direct_deviation:
       return "/error/point_direct_deviation";
+    case TransferPart::surface_cells:
+      return "/error/surface_cells";
+    case TransferPart::surface_rays:
+      return "/error/surface_rays";
+    case TransferPart::surface_direct_deviation:
+      return "/error/surface_direct_deviation";
   }
   throw InternalError("part of a solution of no name");
 }
@@ -55,6 +61,11 @@ Shape shape_of(const ResultContent& content, TransferPart part) {
     case TransferPart::point_rays:
     case TransferPart::point_cell_rays:
       return {content.classes.size(), content.zone.points.size()};
+    case TransferPart::surface_direct_deviation:
+      return {content.n_direct_classes, content.zone.surfaces.size()};
+    case TransferPart::surface_cells:
+    case TransferPart::surface_rays:
+      return {content.classes.size(), content.zone.surfaces.size()};
     case TransferPart::lobe_direct:
     case TransferPart::lobe_total:
       return {content.classes.size(), content.off_specular.size(), content.directional_grid.n_patches()};
@@ -69,7 +80,9 @@ bool is_lobe(TransferPart part) {
 // Not known of every solution.
 bool is_error(TransferPart part) {
   return part == TransferPart::point_cells || part == TransferPart::point_rays ||
-         part == TransferPart::point_cell_rays || part == TransferPart::point_direct_deviation;
+         part == TransferPart::point_cell_rays || part == TransferPart::point_direct_deviation ||
+         part == TransferPart::surface_cells || part == TransferPart::surface_rays ||
+         part == TransferPart::surface_direct_deviation;
 }
 
 void store_transfer(Hdf5Writer& file, const ResultContent& content, const Solution& solution) {
@@ -251,6 +264,10 @@ const FileSchema& lum_schema() {
         {"/error/point_cell_rays", "float32", "sources, classes, points", "lx", Allowed::finite, {}, true, true},
         {"/error/point_direct_deviation", "float32", "sources, direct_classes, points", "lx", Allowed::not_negative, {},
          true, true},
+        {"/error/surface_cells", "float32", "sources, classes, surfaces", "lx", Allowed::finite, {}, true, true},
+        {"/error/surface_rays", "float32", "sources, classes, surfaces", "lx", Allowed::finite, {}, true, true},
+        {"/error/surface_direct_deviation", "float32", "sources, direct_classes, surfaces", "lx", Allowed::not_negative,
+         {}, true, true},
         {"/photometry/intensity", "float32", "photometries, 73, 181", "cd", Allowed::not_negative},
         {"/spectra/of_source", "uint32", "sources", "1", Allowed::index, "spectra"},
         {"/spectra/first", "uint64", "spectra+1"},

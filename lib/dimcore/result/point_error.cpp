@@ -1,5 +1,6 @@
 #include "result/point_error.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dim {
@@ -21,18 +22,24 @@ bool add_part(const LuminanceDatabase& database, TransferPart part, std::size_t 
 }
 
 // One lucky pair of halves does not make an error of zero: half of the square is that of the others of its set.
-void pool(const Zone& zone, const std::vector<double>& lx, double PointError::*part, std::vector<PointError>& errors) {
+void pool(const PointSet& set, const std::vector<double>& lx, double PointError::*part, std::vector<PointError>& errors) {
   const auto square = [](double x) { return x * x; };
-  for (const auto& set : zone.point_sets) {
-    double squares = 0.0, n = 0.0;
-    for (std::size_t p = set.first; p < set.first + set.count; ++p) {
-      if (!(lx[p] > 0.0)) continue;
-      squares += square(errors[p].*part / lx[p]);
-      n += 1.0;
-    }
-    for (std::size_t p = set.first; p < set.first + set.count && n > 0.0; ++p)
-      errors[p].*part = std::sqrt(0.5 * (square(errors[p].*part) + squares / n * square(lx[p])));
+  double squares = 0.0, n = 0.0;
+  for (std::size_t p = set.first; p < set.first + set.count; ++p) {
+    if (!(lx[p] > 0.0)) continue;
+    squares += square(errors[p].*part / lx[p]);
+    n += 1.0;
   }
+  for (std::size_t p = set.first; p < set.first + set.count && n > 0.0; ++p)
+    errors[p].*part = std::sqrt(0.5 * (square(errors[p].*part) + squares / n * square(lx[p])));
+}
+
+// The value that 95 % of them do not exceed.
+double percentile(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto at = static_cast<std::size_t>(std::ceil(0.95 * static_cast<double>(values.size()))) - 1;
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(at), values.end());
+  return values[at];
 }
 
 }  // namespace
@@ -65,8 +72,54 @@ std::optional<std::vector<PointError>> point_errors(const LuminanceDatabase& dat
   for (std::size_t p = 0; p < n; ++p)
     errors[p] = {std::abs(cells[p]), std::abs(rays[p]), std::abs(cell_rays[p]), std::sqrt(direct_squares[p]), bound[p]};
   const auto lx = point_illuminance_lx(database, mix);
-  pool(database.zone(), lx, &PointError::rays_lx, errors);
-  pool(database.zone(), lx, &PointError::cell_rays_lx, errors);
+  for (const auto& set : database.zone().point_sets) {
+    pool(set, lx, &PointError::rays_lx, errors);
+    pool(set, lx, &PointError::cell_rays_lx, errors);
+  }
+  return errors;
+}
+
+StatedShare stated_share(const std::vector<PointError>& errors, const std::vector<double>& lx,
+                         const std::vector<MeasuringPoint>& points, const PointSet& of) {
+  const auto share_of = [&](auto&& value) {
+    std::vector<double> shares;
+    for (std::size_t p = of.first; p < of.first + of.count; ++p)
+      if (points[p].valid && lx[p] > 0.0) shares.push_back(value(errors[p]) / lx[p]);
+    return percentile(std::move(shares));
+  };
+  StatedShare stated;
+  stated.total = share_of([](const PointError& e) { return e.total_lx(); });
+  stated.cells = share_of([](const PointError& e) { return e.cells_lx; });
+  stated.rays = share_of([](const PointError& e) { return e.rays_lx; });
+  stated.cell_rays = share_of([](const PointError& e) { return e.cell_rays_lx; });
+  stated.direct = share_of([](const PointError& e) { return e.direct_lx; });
+  stated.bound = share_of([](const PointError& e) { return e.bound_lx; });
+  return stated;
+}
+
+std::optional<std::vector<PointError>> surface_errors(const LuminanceDatabase& database, const Mix& mix,
+                                                      const std::vector<double>& mean_lx) {
+  const std::size_t n = database.zone().surfaces.size();
+  std::vector<double> cells(n, 0.0), rays(n, 0.0), direct_squares(n, 0.0);
+  double bound = 0.0;
+  for (std::size_t s = 0; s < mix.size(); ++s) {
+    if (mix[s] == 0.0) continue;
+    const auto& source = database.sources()[s];
+    std::vector<double> direct(n, 0.0);
+    if (source.daylight || !add_part(database, TransferPart::surface_cells, s, mix[s], cells) ||
+        !add_part(database, TransferPart::surface_rays, s, mix[s], rays) ||
+        !add_part(database, TransferPart::surface_direct_deviation, s, mix[s], direct))
+      return std::nullopt;
+    for (std::size_t i = 0; i < n; ++i) direct_squares[i] += direct[i] * direct[i];
+    bound = std::max(bound, source.error_bound);
+  }
+  std::vector<PointError> errors(n);
+  for (std::size_t i = 0; i < n; ++i)
+    errors[i] = {.cells_lx = std::abs(cells[i]), .cell_rays_lx = std::abs(rays[i]),
+                 .direct_lx = std::sqrt(direct_squares[i]), .bound_lx = bound * mean_lx[i]};
+  PointSet all;
+  all.count = n;
+  pool(all, mean_lx, &PointError::cell_rays_lx, errors);
   return errors;
 }
 

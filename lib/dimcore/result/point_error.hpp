@@ -27,6 +27,21 @@ struct PointError {
 /// @returns [n_points]; nothing where the solution does not know (`--solver track`, off-specular surfaces, daylight)
 std::optional<std::vector<PointError>> point_errors(const LuminanceDatabase& database, const Mix& mix);
 
+/// The error of a set's measuring points that 95 % of them do not exceed, relative to their illuminance, and its parts; points
+/// that are dark or not valid are left out.
+struct StatedShare {
+  double total = 0.0;
+  double cells = 0.0, rays = 0.0, cell_rays = 0.0, direct = 0.0, bound = 0.0;  ///< each by itself, the same way
+};
+StatedShare stated_share(const std::vector<PointError>& errors, const std::vector<double>& lx,
+                         const std::vector<MeasuringPoint>& points, const PointSet& of);
+
+/// Of the mean illuminances of surfaces, the same way: what the correction for the cells' size changes of them, and what
+/// half of their cells' rays would (`cell_rays_lx`).
+/// @returns [n_surfaces]; nothing where the solution does not know
+std::optional<std::vector<PointError>> surface_errors(const LuminanceDatabase& database, const Mix& mix,
+                                                      const std::vector<double>& mean_lx);
+
 /// Of the mean of a set's valid points: rays and direct light of points are apart, all else they have in common.
 PointError mean_error(const std::vector<PointError>& errors, const std::vector<MeasuringPoint>& points,
                       const PointSet& set);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "base/job.hpp"
 #include "network/network_storage.hpp"
 #include "result/point_error.hpp"
@@ -7,19 +9,10 @@
 
 namespace dim {
 
-/// The error of measuring points that 95 % of them do not exceed, relative to their illuminance, and its parts; points
-/// that are dark or not valid are left out.
-struct StatedShare {
-  double total = 0.0;
-  double cells = 0.0, rays = 0.0, cell_rays = 0.0, direct = 0.0, bound = 0.0;  ///< each by itself, the same way
-};
-StatedShare stated_share(const std::vector<PointError>& errors, const std::vector<double>& lx,
-                         const std::vector<MeasuringPoint>& points);
-
-/// What a solution to an asked accuracy has come to.
+/// What a solution to an asked accuracy, or within a time, has come to.
 struct ToAccuracy {
   double stated = 0.0;        ///< share of the illuminance, at 95 % of points
-  bool reached = false;
+  bool reached = false;       ///< the accuracy asked for; within a time: always
   int n_networks = 0;         ///< traced in place of the file's
   double cell_size = 1.0;     ///< over that of the file
   double tolerance = 0.0;     ///< of the iteration
@@ -36,5 +29,18 @@ struct ToAccuracy {
 /// @throws LimitError, Interrupted
 ToAccuracy refine_to_accuracy(RaysFile& rays, const Lights& lights, SimulationOptions& options, double share,
                               const Job& job);
+
+/// Seconds that all of a solution may take, and a clock that has counted them since it began.
+struct TimeBudget {
+  double seconds = 0.0;
+  std::function<double()> elapsed_s;
+};
+
+/// Refines in the same way, halving the stated error or less at a time, as long as the next finer room and the solution
+/// after it are expected to end within the budget: by rays, from the seconds that the last round took. Which room that is
+/// depends on the machine, so that figures are not the same bits on another one.
+/// @throws as refine_to_accuracy
+ToAccuracy refine_within(RaysFile& rays, const Lights& lights, SimulationOptions& options, const TimeBudget& budget,
+                         const Job& job);
 
 }  // namespace dim

@@ -26,6 +26,12 @@ const std::vector<float>& part_of(const Solution& solution, TransferPart part) {
       return solution.point_cell_rays;
     case TransferPart::point_direct_deviation:
       return solution.point_direct_deviation;
+    case TransferPart::surface_cells:
+      return solution.surface_cells;
+    case TransferPart::surface_rays:
+      return solution.surface_rays;
+    case TransferPart::surface_direct_deviation:
+      return solution.surface_direct_deviation;
   }
   throw InternalError("part of a solution of no name");
 }

@@ -17,13 +17,17 @@ enum class TransferPart {
   point_cells,
   point_rays,
   point_cell_rays,
-  point_direct_deviation
+  point_direct_deviation,
+  surface_cells,
+  surface_rays,
+  surface_direct_deviation
 };
 inline constexpr TransferPart kTransferParts[] = {
     TransferPart::cell_direct, TransferPart::cell_total,  TransferPart::point_direct,
     TransferPart::point_total, TransferPart::lobe_direct, TransferPart::lobe_total,
     TransferPart::point_cells, TransferPart::point_rays,  TransferPart::point_cell_rays,
-    TransferPart::point_direct_deviation};
+    TransferPart::point_direct_deviation,
+    TransferPart::surface_cells, TransferPart::surface_rays, TransferPart::surface_direct_deviation};
 
 /// Where the light of a luminance database is kept: it may be larger than memory, so it is asked for source
 /// by source.

@@ -35,9 +35,9 @@ std::vector<float> transposed(std::size_t n, std::size_t n_sources, std::size_t 
   return rows_of(n, n_sources, n_columns, [&](std::size_t i, std::size_t column) { return stored(value(i, column)); });
 }
 
-// Signed differences of points.
-std::vector<float> differences(const Columns<float>& columns, std::size_t n_sources) {
-  return rows_of(columns.n_rows(), n_sources, columns.n_columns(),
+// Signed differences of points, or of the first `n` surfaces.
+std::vector<float> differences(const Columns<float>& columns, std::size_t n, std::size_t n_sources) {
+  return rows_of(n, n_sources, columns.n_columns(),
                  [&](std::size_t i, std::size_t column) { return columns.value(i, column); });
 }
 
@@ -125,7 +125,7 @@ Reflectances diffuse_reflectances(const Zone& zone, const ModelPlan& plan) {
 }
 
 Assembly::Assembly(const Room& room, const ModelPlan& plan, const Shine& shine, const Bands& bands)
-    : plan_(plan), shine_(shine), cells_(room.cells) {
+    : plan_(plan), shine_(shine), cells_(room.cells), n_zone_surfaces_(room.n_zone_surfaces) {
   solution_.bands = bands;
   solution_.classes = plan.classes;
   solution_.sources = plan.sources;
@@ -148,6 +148,10 @@ Assembly::DirectAsColumns Assembly::add_direct(const DirectColumns& direct) {
       transposed(solution_.n_points, n_sources, direct.n_columns, [&](std::size_t i, std::size_t column) {
         return std::sqrt(direct.point_variance_lx2[i * direct.n_columns + column]);
       });
+  surface_direct_deviation_ =
+      transposed(n_zone_surfaces_, n_sources, direct.n_columns, [&](std::size_t s, std::size_t column) {
+        return std::sqrt(direct.surface_variance_lx2[s * direct.n_columns + column]);
+      });
   solution_.mirrors = direct.outcome;
   for (const double uncertain : direct.uncertain)
     solution_.mirrors.uncertain = std::max(solution_.mirrors.uncertain, uncertain);
@@ -166,10 +170,15 @@ void Assembly::add_total(Gathered<float> gathered, const DirectColumns& direct,
   solution_.cell_total = rows_of_cells(gathered.cell, cells_, solution_.n_cells, n_sources);
   solution_.point_total = rows_of_columns(gathered.point, solution_.n_points, n_sources);
   if (gathered.point_cells.n_rows() > 0) {
-    solution_.point_cells = differences(gathered.point_cells, n_sources);
-    solution_.point_rays = differences(gathered.point_rays, n_sources);
-    solution_.point_cell_rays = differences(gathered.point_cell_rays, n_sources);
+    solution_.point_rays = differences(gathered.point_rays, solution_.n_points, n_sources);
+    solution_.point_cells = differences(gathered.point_cells, solution_.n_points, n_sources);
+    solution_.point_cell_rays = differences(gathered.point_cell_rays, solution_.n_points, n_sources);
     solution_.point_direct_deviation = std::move(point_direct_deviation_);
+  }
+  if (gathered.surface_cells.n_rows() > 0) {
+    solution_.surface_cells = differences(gathered.surface_cells, n_zone_surfaces_, n_sources);
+    solution_.surface_rays = differences(gathered.surface_rays, n_zone_surfaces_, n_sources);
+    solution_.surface_direct_deviation = std::move(surface_direct_deviation_);
   }
   solution_.directional.total = rows_of_states(gathered.psi, shine_.grid(), n_sources, plan_.n_columns());
   solution_.counters["reflections"] = static_cast<double>(gathered.counts.reflections);

@@ -39,6 +39,8 @@ class Assembly {
   const ModelPlan& plan_;
   const Shine& shine_;
   const Cells& cells_;
+  std::size_t n_zone_surfaces_;
+  std::vector<float> surface_direct_deviation_;
   std::vector<float> point_direct_deviation_;  // kept where the other parts of the error are known as well
   Solution solution_;
 };

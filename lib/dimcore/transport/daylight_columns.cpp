@@ -166,6 +166,8 @@ void DaylightSources::add_to(DirectColumns& direct, const ModelPlan& plan, const
   if (tinted() && direct.n_columns == n_sources) {
     spread(direct.cell, n_sources, n_classes_);
     spread(direct.point, n_sources, n_classes_);
+    spread(direct.point_variance_lx2, n_sources, n_classes_);
+    spread(direct.surface_variance_lx2, n_sources, n_classes_);
     direct.n_columns = n_sources * n_classes_;
   }
   const std::size_t n_tints = direct.n_columns / n_sources;

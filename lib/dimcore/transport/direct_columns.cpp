@@ -46,6 +46,7 @@ class Builder {
     result_.cell.assign(room.cells.size() * result_.n_columns, 0.0);
     result_.point.assign(room.n_points() * result_.n_columns, 0.0);
     result_.point_variance_lx2.assign(result_.point.size(), 0.0);
+    result_.surface_variance_lx2.assign(room.zone.surfaces.size() * result_.n_columns, 0.0);
     result_.outcome.depth.assign(room.n_luminaires(), 0);
     result_.outcome.rays_cut_off = shine.cut_off();
     result_.uncertain.assign(plan.n_columns(), 0.0);
@@ -102,10 +103,14 @@ class Builder {
   void add_luminaires(const Job& job) {
     const Order& own = new_order(own_sources(room_.zone, room_.lights, plan_.tests_visibility));
     own_point_lx_.assign(room_.zone.points.size() * n_luminaires(), 0.0);
+    std::vector<float> of_cells(room_.cells.size() * plan_.n_sources(), 0.0F);
     direct_light(
         room_.zone, room_.cells, own.integrators,
         [&](std::size_t i, std::size_t e, const DirectEstimate& direct) {
           on_cell({i, &own.integrators[e], direct.lx});
+          const double area_m2 = room_.cells[i].area_m2;
+          of_cells[i * plan_.n_sources() + plan_.source_of[e]] +=
+              static_cast<float>(area_m2 * area_m2 * direct.variance_lx2);
         },
         [&](std::size_t p, std::size_t e, const DirectEstimate& direct) {
           own_point_lx_[p * n_luminaires() + e] = direct.lx;
@@ -115,6 +120,20 @@ class Builder {
             result_.point_variance_lx2[p * result_.n_columns + c] += direct.variance_lx2;
         },
         job);
+    add_surface_variance(of_cells);
+  }
+
+  // @param of_cells  [n_cells, n_sources] times the square of their area
+  void add_surface_variance(const std::vector<float>& of_cells) {
+    const std::size_t n_sources = plan_.n_sources();
+    for (std::size_t s = 0; s < room_.cells.n_surfaces(); ++s) {
+      double area_m2 = 0.0;
+      for (std::size_t i = room_.cells.first(s); i < room_.cells.first(s + 1); ++i) area_m2 += room_.cells[i].area_m2;
+      double* to = &result_.surface_variance_lx2[s * result_.n_columns];
+      for (std::size_t i = room_.cells.first(s); i < room_.cells.first(s + 1); ++i)
+        for (std::size_t c = 0; c < result_.n_columns; ++c)
+          to[c] += static_cast<double>(of_cells[i * n_sources + c % n_sources]) / (area_m2 * area_m2);
+    }
   }
 
   void add_images(const Job& job) {

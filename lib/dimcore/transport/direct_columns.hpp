@@ -23,6 +23,7 @@ struct DirectColumns {
   std::vector<double> followed;  ///< the same of what rays carried on from the last images; empty without any
   std::vector<double> point;     ///< [n_points, n_columns], deeper images extrapolated
   std::vector<double> point_variance_lx2;  ///< [n_points, n_columns] of what lines past obstacles have found
+  std::vector<double> surface_variance_lx2;  ///< [n_surfaces, n_columns] the same of the means of surfaces
   DirectShine shine;             ///< over all n_sources * n_classes columns
   std::vector<float> followed_psi;  ///< as shine.psi, of what rays carried on; empty without any
 

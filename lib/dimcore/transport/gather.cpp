@@ -257,6 +257,22 @@ class Block {
         column[i] = static_cast<Real>(std::max(light_lx, std::min(direct(i, c), irradiance_[i * width_ + c])));
       }
     }
+    for (double& x : change) x *= -kOfTwiceTheSize;
+    copy_means(change, result_.surface_cells);
+  }
+
+  void copy_means(const std::vector<double>& of_cells, Columns<Real>& to) const {
+    for (std::size_t c = 0; c < n_; ++c) {
+      const auto column = to.column(first_ + c);
+      for (std::size_t s = 0; s < to.n_rows(); ++s) {
+        double sum = 0.0, area_m2 = 0.0;
+        for (std::size_t i = cells_.first(s); i < cells_.first(s + 1); ++i) {
+          sum += propagation_.area_m2(i) * of_cells[i * width_ + c];
+          area_m2 += propagation_.area_m2(i);
+        }
+        column[s] = area_m2 > 0.0 ? static_cast<Real>(sum / area_m2) : Real{0};
+      }
+    }
   }
 
   void correct_points(std::vector<double>& arriving) {
@@ -281,6 +297,7 @@ class Block {
       for (std::size_t c = 0; c < width_; ++c) less[i * width_ + c] -= irradiance_[i * width_ + c] - direct(i, c);
     });
     copy_differences(propagation_.to_points(less), result_.point_cell_rays);
+    copy_means(less, result_.surface_rays);
   }
 
   void copy_differences(const std::vector<double>& from, Columns<Real>& to) const {
@@ -337,10 +354,14 @@ Gathered<Real> gather(const Network& network, const Cells& cells, const Columns<
                               contraction(network, cells, reflectances, shine),
                               lost_by_cells(network, cells),
                               {}};
-  if (!setting.contraction.in_flux) result.point_cell_rays = Columns<Real>(n_points, n_columns);
+  if (!setting.contraction.in_flux) {
+    result.point_cell_rays = Columns<Real>(n_points, n_columns);
+    result.surface_rays = Columns<Real>(cells.n_surfaces(), n_columns);
+  }
   if (options.corrects_cell_size && !setting.contraction.in_flux) {
     setting.smoothing.emplace(cells);
     result.point_cells = Columns<Real>(n_points, n_columns);
+    result.surface_cells = Columns<Real>(cells.n_surfaces(), n_columns);
   }
   // Off-specular cells hold a value a patch for every column.
   const std::size_t block_columns = setting.contraction.in_flux ? kColumnsPerLane : kMaxColumns;

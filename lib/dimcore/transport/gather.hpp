@@ -37,6 +37,9 @@ struct Gathered {
   Columns<Real> point_rays;   ///< [n_points, n_columns] what every other ray of the points alone changes
   /// [n_points, n_columns] what every other ray of the cells that points see changes; empty with lobes
   Columns<Real> point_cell_rays;
+  /// [n_surfaces, n_columns] the same of the means of surfaces: what the correction for the cells' size has added, and
+  /// what every other ray of their cells changes; empty where the others are
+  Columns<Real> surface_cells, surface_rays;
   std::vector<ColumnReport> columns;
   GatherCounts counts;
 };

@@ -11,6 +11,7 @@ Room::Room(const Zone& zone_in, const Cells& cells_in, const Network& network_in
       lights(bodied_ ? bodied_->lights : lights_in),
       obstructions(zone, lights),
       n_zone_cells(cells_in.size()),
+      n_zone_surfaces(zone_in.surfaces.size()),
       n_bodies(bodied_ ? bodied_->n_bodies : 0) {}
 
 }  // namespace dim

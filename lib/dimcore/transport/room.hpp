@@ -28,6 +28,7 @@ class Room {
   const Lights& lights;
   const Obstructions obstructions;
   const std::size_t n_zone_cells;  ///< cells of the zone itself: the first ones
+  const std::size_t n_zone_surfaces;  ///< and its surfaces
   const std::size_t n_bodies;
 
   std::size_t n_points() const { return zone.points.size(); }

@@ -42,6 +42,9 @@ struct Solution {
   /// known (tracked; lobes).
   std::vector<float> point_cells, point_rays, point_cell_rays;
   std::vector<float> point_direct_deviation;  ///< standard deviation of point_direct
+  /// The same of the means of surfaces, [..., n_surfaces] of the zone.
+  std::vector<float> surface_cells, surface_rays;
+  std::vector<float> surface_direct_deviation;
   Directional directional;
   std::optional<SkyRecord> sky;
   ModelPlan plan;
