@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "sky/direction.hpp"
+#include "sky/sky_patches.hpp"
 #include "spectrum/named_spectra.hpp"
 
 namespace dim {
