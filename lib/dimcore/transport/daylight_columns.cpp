@@ -165,8 +165,8 @@ std::vector<std::string> DaylightSources::in_words() const {
   std::vector<std::string> words;
   words.emplace_back(fmt::format("light from outside: windows {}, groups {}, states of all groups {}, each with {}",
                               windows_.windows.size(), windows_.groups.size(), n_states,
-                              light_->by_patches() ? fmt::format("{} patches of the sky and the ground",
-                                                                 light_->patches().size())
+                              light_->by_patches() ? fmt::format("{} patches and {} ramps of the sky and the ground",
+                                                                 light_->patches().size(), light_->patches().n_ramps())
                               : light_->sun()      ? "sky, ground and sun"
                                                    : "sky and ground"));
   words.emplace_back(tinted() ? "panes or surfaces outside colour the light: it is kept by class of bands"
