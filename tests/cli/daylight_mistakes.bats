@@ -105,7 +105,8 @@ levels() { refused 3 "$1" dimout levels room.lum --weather day.epw --control con
   # times cos 23.44 / cos 61.44.
   for sun in 'time = "2001-06-21T12:00"' 'altitude = 61.44, azimuth = 179.14'; do
     printf 'dim = "lights/1"\n[sky]\nmodel = "cie-12"\nhorizontal = 9000\nsun = { %s }\n' "$sun" > sun.toml
-    dimray room.rays sun.toml -o sun.lum --quiet
+    # In so coarse a room the energy of the beam stays open by more than dimray lets pass.
+    dimray room.rays sun.toml -o sun.lum --quiet || [ $? -eq 1 ]
     dimout grid sun.lum --plane workplane -o "${sun%% *}.csv"
   done
   paste -d, time.csv altitude.csv | awk -F, 'NR > 1 { r = $9 / $(NF / 2 + 9) - 1; if (r > 2e-3 || r < -2e-3) exit 1 }'
@@ -161,7 +162,8 @@ levels() { refused 3 "$1" dimout levels room.lum --weather day.epw --control con
   one $'watts = 5\nlaw = "dimming"\nsensors = ["desks[0]"]\nswitch_off = 4' 'a switch-off factor of 4, ESP-r takes 1..3'
   one $'watts = 5\nlaw = "occupancy"' "ESP-r has no control law 'occupancy'"
   control $'watts = 5e5\nlaw = "on"'
-  levels "ESP-r takes -10000..100000" --format tdf -o x.tdfa
+  refused 4 "200000 W of 'Lights convec gain .W.:', ESP-r takes -10000..100000" \
+    dimout levels room.lum --weather day.epw --control control.toml --format tdf -o x.tdfa --quiet
   { printf 'dim = "control/1"\n'; for n in 1 2 3 4 5; do
     printf '[[circuit]]\nname = "c%s"\nwatts = 5\nlaw = "dimming"\nsensors = ["desks[0]"]\n' $n; done; } > control.toml
   levels "control.toml:22:1: circuit 'c5': .*5 lighting zones, ESP-r takes 1..4" --format cgc -o x.cgc

@@ -35,7 +35,7 @@ DaylightCoefficients open_sensors(int subdivision, const std::vector<Vec3>& norm
       if (band < patches.n_ramps()) c.direct_lx[patches.ramp(band) * c.n_points + i] += static_cast<float>(ramp);
     }
   }
-  for (const float lx : c.direct_lx) c.total_lx.push_back(static_cast<float>(lx * (1.0 + reflected)));
+  for (const float lx : c.direct_lx) c.total_lx.push_back(static_cast<float>(static_cast<double>(lx) * (1.0 + reflected)));
   return c;
 }
 
