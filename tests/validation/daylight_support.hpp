@@ -87,7 +87,7 @@ struct DaylitRoom {
   }
 };
 
-inline DaylitRoom daylit(Zone zone, const std::string& sky, const NetworkOptions& options) {
+inline DaylitRoom daylit_on(Zone zone, const std::string& sky, const NetworkOptions& options) {
   DaylitRoom room;
   room.zone = std::move(zone);
   Warnings warnings;
@@ -99,7 +99,7 @@ inline DaylitRoom daylit(Zone zone, const std::string& sky, const NetworkOptions
 }
 
 inline DaylitRoom daylit(Zone zone, const std::string& sky, const PatchGrid& patches = {6, 12}) {
-  return daylit(std::move(zone), sky, NetworkOptions{patches, patches});
+  return daylit_on(std::move(zone), sky, NetworkOptions{patches, patches});
 }
 
 inline DaylitRoom daylit(const std::string& zone_text, const std::string& sky, const PatchGrid& patches = {6, 12}) {

@@ -44,8 +44,8 @@ Difference difference(const std::vector<double>& found, const std::vector<double
 }  // namespace
 
 TEST_CASE("A side-lit room at defaults is within one per cent of a converged run", "[daylight][validation]") {
-  const DaylitRoom usual = daylit(side_lit_room("0.25"), kOvercast, NetworkOptions{});
-  const DaylitRoom fine = daylit(side_lit_room("0.15"), kOvercast, NetworkOptions{{24, 48}, {96, 192}});
+  const DaylitRoom usual = daylit_on(side_lit_room("0.25"), kOvercast, NetworkOptions{});
+  const DaylitRoom fine = daylit_on(side_lit_room("0.15"), kOvercast, NetworkOptions{{24, 48}, {96, 192}});
   REQUIRE(usual.zone.points.size() == 90);
   const Difference off = difference(sky_and_ground_lx(usual), sky_and_ground_lx(fine));
   CHECK(off.rms < 0.01);
@@ -54,8 +54,8 @@ TEST_CASE("A side-lit room at defaults is within one per cent of a converged run
 
 TEST_CASE("Its 145 coefficients make the overcast sky to half a per cent", "[daylight][validation]") {
   const Zone zone = side_lit_room("0.25");
-  const DaylitRoom one = daylit(zone, kOvercast, NetworkOptions{});
-  const DaylitRoom all = daylit(zone, "model = \"tregenza\"\nground = 0.2\n", NetworkOptions{});
+  const DaylitRoom one = daylit_on(zone, kOvercast, NetworkOptions{});
+  const DaylitRoom all = daylit_on(zone, "model = \"tregenza\"\nground = 0.2\n", NetworkOptions{});
   const SkyPatches patches;
   const auto cd_m2 =
       sky_by_patches(Sky(SkyModel::overcast(), {0, 0, 1}, 10000.0), patches).columns_cd_m2(patches, 0.2 * 10000.0 / kPi);
