@@ -116,10 +116,12 @@ TEST_CASE("Coefficients of parts that the sky of a file has not are refused", "[
       file.replace_text("/description", json.dump());
     });
   };
-  for (const auto& [part, patch] : {std::pair{"sky", 144}, {"ramp", 6}, {"ground", -1}}) CHECK(refused(1, part, patch).empty());
+  for (const auto& [part, patch] : {std::pair{"sky", 144}, {"ramp", 6}, {"ground", -1}})
+    CHECK(refused(1, part, patch).empty());
   CHECK(refused(0, "sun", -1).empty());
   const std::string words = "sources[0].daylight is of a part of the sky that the file has not";
-  for (const auto& [part, patch] : {std::pair{"sky", 145}, {"sky", -1}, {"ramp", 7}, {"ramp", -1}, {"ground", 0}, {"sun", -1}}) {
+  for (const auto& [part, patch] :
+       {std::pair{"sky", 145}, {"sky", -1}, {"ramp", 7}, {"ramp", -1}, {"ground", 0}, {"sun", -1}}) {
     CAPTURE(part, patch);
     says(refused(1, part, patch), words);
   }
