@@ -31,7 +31,11 @@ DaylitRoom::DaylitRoom(Program& program, const DaylightInput& input)
     : database(input.database.path, program.job()),
       states(parse_states(input.states)),
       coefficients(in_file(input.database.path, [&] { return stored_coefficients(database, states); })),
-      sun(sun_at_points(database, states)) {}
+      sun(sun_at_points(database, states)) {
+  if (!database.zone().site)
+    program.warn({{{input.database.path, 0, 0}, "its zone file has no [site]: +y counts as true north",
+                   "give the zone file [site] north"}});
+}
 
 std::vector<WindowPart> parts_at(const DaylitRoom& room, const OperatedWindows& windows,
                                  const std::vector<std::size_t>& points) {

@@ -109,7 +109,7 @@ Mix mix_of(const LuminanceDatabase& database, const DatabaseInput& input) {
   return in_file(input.path, [&] {
     Mix mix = parse_mix(input.mix, database.sources());
     put_into_states(input.states, database.sources(), mix);
-    return input.sky.empty() ? mix : sky_mix(database, mix, sky_asked_for(input.sky));
+    return input.sky.empty() ? even_patches(database, mix) : sky_mix(database, mix, sky_asked_for(input.sky));
   });
 }
 

@@ -9,8 +9,11 @@ bin=$PWD/build/release/bin
 work=build/bench
 mkdir -p "$work"
 
-zone_of() { case $1 in office) echo examples/02-office/office.zone.toml ;; *) echo "tests/bench/scenes/$1.zone.toml" ;; esac; }
-lights_of() { local z; z=$(zone_of "$1"); echo "${z%.zone.toml}.lights.toml"; }
+zone_of() { case $1 in office) echo examples/02-office/office.zone.toml ;; sidelit) echo examples/06-daylight-factor/room.zone.toml ;; *) echo "tests/bench/scenes/$1.zone.toml" ;; esac; }
+lights_of() {
+  local z; z=$(zone_of "$1")
+  case $1 in sidelit) echo "${z%/*}/overcast.lights.toml" ;; *) echo "${z%.zone.toml}.lights.toml" ;; esac
+}
 plane_of() { case $1 in corridor) echo far ;; *) echo workplane ;; esac; }
 
 best() { # best of three wall-clock times of a command
@@ -29,6 +32,7 @@ converged() {
   case $name in
     office) options=(--cell 0.1 --patches 64x128 --point-patches 128x256) ;;
     openplan) options=(--cell 0.25 --patches 16x32 --point-patches 64x128) ;;
+    sidelit) options=(--cell 0.1 --patches 32x64 --point-patches 128x256) ;;
     *) options=(--cell 0.1 --patches 64x128 --point-patches 128x256) ;;
   esac
   echo "bench: converged run of $name ${options[*]}" >&2
@@ -39,7 +43,7 @@ converged() {
 }
 
 echo "scene,surfaces,cells,rays,sources,dimdis_s,dimray_s,dimout_s,total_s,Mrays_per_s,peak_MB,points,mean_lx,mean_dev_%,rms_%,max_%,tracer_mean_dev_%,tracer_rms_%,tracer_max_%"
-for name in ${SCENES:-office corridor classroom openplan}; do
+for name in ${SCENES:-office corridor classroom openplan sidelit}; do
   converged "$name"
   rays=$work/$name.rays lum=$work/$name.lum plane=$(plane_of "$name")
   d=$(best "$bin/dimdis" "$(zone_of "$name")" "$@" -o "$rays" --quiet --stats "$work/d.json")

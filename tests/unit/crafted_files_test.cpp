@@ -104,3 +104,28 @@ TEST_CASE("A crafted luminance database is refused by what is wrong and its valu
   says(lum_refused(path, totals({1, 1, -1, 1, 1, 1}, 6)), "'/transfer/cell_total': element 2 is -1");
   says(lum_refused(path, described([](Json& j) { j["views"][0]["fov_rad"] = 7.0; })), "views[0].fov_rad is 7");
 }
+
+TEST_CASE("Coefficients of parts that the sky of a file has not are refused", "[result][unit]") {
+  const Folder folder;
+  const auto refused = [&](int subdivision, const char* part, int patch) {
+    return lum_refused(folder / "a.lum", [&](const ForgedFile& file) {
+      Json json = Json::parse(file.text("/description"));
+      if (subdivision >= 0)
+        json["sky"] = {{"subdivision", subdivision}, {"horizontal_lx", 0.0}, {"ground_reflectance", 0.2}};
+      json["sources"][0]["daylight"] = {{"part", part}, {"patch", patch}, {"state", ""}, {"as_it_stands", true}};
+      file.replace_text("/description", json.dump());
+    });
+  };
+  for (const auto& [part, patch] : {std::pair{"sky", 144}, {"ramp", 6}, {"ground", -1}})
+    CHECK(refused(1, part, patch).empty());
+  CHECK(refused(0, "sun", -1).empty());
+  const std::string words = "sources[0].daylight is of a part of the sky that the file has not";
+  for (const auto& [part, patch] :
+       {std::pair{"sky", 145}, {"sky", -1}, {"ramp", 7}, {"ramp", -1}, {"ground", 0}, {"sun", -1}}) {
+    CAPTURE(part, patch);
+    says(refused(1, part, patch), words);
+  }
+  says(refused(0, "sky", 3), words);
+  says(refused(0, "ramp", 0), words);
+  says(refused(-1, "sky", -1), words);
+}

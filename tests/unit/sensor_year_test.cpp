@@ -30,7 +30,7 @@ Weather two_days() {
 DaylightCoefficients numbered() {
   DaylightCoefficients c;
   c.n_points = 5;
-  for (int row = 0; row <= 145; ++row)
+  for (int row = 0; row < 145 + 1 + 7; ++row)
     for (int p = 0; p < 5; ++p) {
       c.total_lx.push_back(static_cast<float>(1000 * row + p));
       c.direct_lx.push_back(static_cast<float>(-1000 * row - p));

@@ -79,3 +79,25 @@ TEST_CASE("A zone turned to the east sees the north on its left", "[sky][unit]")
   CHECK(north.y == Approx(0.0).margin(1e-15));
   CHECK(glm::length(to_sky(north, radians(90.0)) - Vec3(0, 1, 0)) < 1e-15);
 }
+
+TEST_CASE("Ramps rise over their band, and their sums are exact", "[sky][unit]") {
+  const SkyPatches patches(GENERATE(1, 2));
+  REQUIRE(patches.n_columns() == patches.size() + 1 + patches.n_ramps());
+  for (std::size_t band = 0; band < patches.n_ramps(); ++band) {
+    const std::size_t p = patches.first_of_band(band);
+    CHECK(patches.band_of(p) == band);
+    CHECK(patches.ramp_cd_m2(band, std::sin(patches.box(p).low_rad)) == Approx(0.0).margin(1e-12));
+    CHECK(patches.ramp_cd_m2(band, std::sin(patches.box(p).high_rad)) == Approx(1.0));
+    constexpr int kSteps = 2000;
+    double horizontal = 0.0, cylinder = 0.0;
+    for (int k = 0; k < kSteps; ++k) {
+      const double z = patches.direction(p, (k + 0.5) / kSteps, 0.5).z;
+      const double ramp = (patches.ramp_cd_m2(band, z) - 0.5) * patches.solid_angle_sr(p) / kSteps;
+      horizontal += ramp * z;
+      cylinder += ramp * std::sqrt(1.0 - z * z);
+    }
+    CHECK(patches.ramp_horizontal_sr(band) == Approx(horizontal).epsilon(1e-5));
+    CHECK(patches.ramp_cylinder_sr(band) == Approx(cylinder).epsilon(1e-5));
+  }
+  CHECK(patches.band_of(patches.size() - 1) == patches.n_ramps());
+}

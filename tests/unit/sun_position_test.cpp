@@ -54,3 +54,17 @@ TEST_CASE("Days are counted through leap years and over time zones", "[sky][unit
   CHECK(day_of_year(1900, 12, 31) == 365);
   CHECK(date_of(2024, 60).day == 29);
 }
+
+TEST_CASE("Moments are read to the minute, and no others", "[sky][unit]") {
+  const auto time = parse_local_time("2024-02-29T09:30");
+  REQUIRE(time);
+  CHECK(time->day == 29);
+  CHECK(time->hour == 9.5);
+  CHECK(parse_local_time("1950-01-01T24:00")->hour == 24.0);
+  for (const char* text : {"2023-02-29T09:30", "2024-13-01T09:30", "2024-01-01T24:01", "2024-01-01T09:60",
+                           "1949-12-31T09:30", "2051-01-01T09:30", "2024-01-01 09:30", "2024-01-01T9:30", "",
+                           "2024-01--1T09:30", "2024-01-01T-9:30", "2024-01-01T09:30:00"}) {
+    CAPTURE(text);
+    CHECK_FALSE(parse_local_time(text));
+  }
+}

@@ -87,17 +87,19 @@ struct DaylitRoom {
   }
 };
 
-inline DaylitRoom daylit(Zone zone, const std::string& sky, const PatchGrid& patches = {6, 12}) {
+inline DaylitRoom daylit_on(Zone zone, const std::string& sky, const NetworkOptions& options) {
   DaylitRoom room;
   room.zone = std::move(zone);
   Warnings warnings;
   const Lights lights = read_lights("dim = \"lights/1\"\n[sky]\n" + sky, "lights.toml", {}, room.zone, {}, warnings);
   const Cells cells(room.zone);
-  NetworkOptions options;
-  options.patches = options.point_patches = patches;
   const Network network = build_network(room.zone, cells, options, Job{});
   room.solution = simulate(room.zone, cells, network, lights, {}, Job{}, warnings);
   return room;
+}
+
+inline DaylitRoom daylit(Zone zone, const std::string& sky, const PatchGrid& patches = {6, 12}) {
+  return daylit_on(std::move(zone), sky, NetworkOptions{patches, patches});
 }
 
 inline DaylitRoom daylit(const std::string& zone_text, const std::string& sky, const PatchGrid& patches = {6, 12}) {

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "climate/annual_kernel.hpp"
+#include "sky/sky_by_patches.hpp"
 #include "sky/weather_light.hpp"
 
 namespace dim {
@@ -36,7 +37,7 @@ std::vector<ReflectedSun> reflected_suns(const AnnualSky& sky) {
 
 /// Coefficients of kPointLanes points side by side; lanes beyond the last point are 0.
 struct LaneCoefficients {
-  std::vector<float> total, reflected;  ///< [n_patches + 1, kPointLanes]
+  std::vector<float> total, reflected;  ///< [n_columns, kPointLanes]
 
   LaneCoefficients(const DaylightCoefficients& of, std::size_t first, std::size_t count) {
     const std::size_t n_rows = of.total_lx.size() / of.n_points;
@@ -77,7 +78,7 @@ struct Lanes {
 
 void add_sky(const AnnualSky& sky, const Part& part, const LaneCoefficients& coefficients, const Lanes& lanes,
              PointBlock& block) {
-  const std::size_t n_rows = sky.patches.size() + 1;
+  const std::size_t n_rows = sky.patches.n_columns();
   std::vector<float> luminance(kStepLanes * n_rows);
   std::array<float, kStepLanes * kPointLanes> sums;
   for (std::size_t i = 0; i < part.active.size(); i += kStepLanes) {
@@ -142,7 +143,7 @@ void add_parts(const AnnualSky& sky, const std::vector<Part>& parts, const std::
 
 void make_room(AnnualSky& sky) {
   sky.sky_horizontal_lx.assign(sky.n_steps, 0.0);
-  sky.luminance_cd_m2.resize(sky.lit.size() * (sky.patches.size() + 1));
+  sky.luminance_cd_m2.resize(sky.lit.size() * sky.patches.n_columns());
   sky.sun.resize(sky.lit.size());
   sky.sun_normal_lx.resize(sky.lit.size());
   sky.irradiance.resize(sky.lit.size());
@@ -150,13 +151,12 @@ void make_room(AnnualSky& sky) {
 
 /// @param i  place among the lit steps
 void set_step(const SkyAndSun& light, double ground_reflectance, std::size_t i, AnnualSky& sky) {
-  const auto patches =
-      quick_patch_means_cd_m2(light.model, light.model_sun(), light.sky_horizontal_lx, sky.patches);
-  float* row = &sky.luminance_cd_m2[i * (patches.size() + 1)];
-  std::transform(patches.begin(), patches.end(), row, [](double l) { return static_cast<float>(l); });
   const double sun_lx = light.sun.z > 0.0 ? light.direct_normal_lx : 0.0;
   const double horizontal_lx = light.sky_horizontal_lx + sun_lx * std::max(0.0, light.sun.z);
-  row[patches.size()] = static_cast<float>(ground_reflectance * horizontal_lx / kPi);
+  const auto cd_m2 = quick_sky_by_patches(light.model, light.model_sun(), light.sky_horizontal_lx, sky.patches)
+                         .columns_cd_m2(sky.patches, ground_reflectance * horizontal_lx / kPi);
+  std::transform(cd_m2.begin(), cd_m2.end(), &sky.luminance_cd_m2[i * cd_m2.size()],
+                 [](double l) { return static_cast<float>(l); });
   sky.sun[i] = light.sun;
   sky.sun_normal_lx[i] = sun_lx;
   sky.sky_horizontal_lx[sky.lit[i]] = light.sky_horizontal_lx;

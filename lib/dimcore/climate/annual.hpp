@@ -18,7 +18,7 @@ struct AnnualSky {
   double step_h = 1.0;
   std::size_t n_steps = 0;
   std::vector<std::size_t> lit;           ///< steps with any light, ascending
-  std::vector<float> luminance_cd_m2;     ///< [n_lit, n_patches + 1], the ground last
+  std::vector<float> luminance_cd_m2;     ///< [n_lit, n_columns] of the patches
   std::vector<Vec3> sun;                  ///< [n_lit] towards it, x east, y north, z up
   std::vector<double> sun_normal_lx;      ///< [n_lit] across its beam; 0 where it does not shine
   std::vector<Irradiance> irradiance;     ///< [n_lit] as the weather has it

@@ -64,13 +64,14 @@ std::vector<double> sunlit_shares(const BlindPlan& plan, const std::vector<std::
 std::vector<double> on_face(const BlindPlan& plan, const Zone& zone, const AnnualSky& sky, double ground_reflectance) {
   const OuterFace face(zone, plan.windows, sky.patches.subdivision());
   if (!face.exists()) throw InputError(Problem{{}, "it has no panes whose outer face could be lit", ""});
-  const auto& weights = face.patch_lx();
+  const auto& weights = face.column_lx();
   const std::size_t ground = sky.patches.ground();
   std::vector<double> values(sky.n_steps, 0.0);
   for (std::size_t i = 0; i < sky.lit.size(); ++i) {
     const float* cd_m2 = &sky.luminance_cd_m2[i * weights.size()];
     double sky_lx = 0.0;
-    for (std::size_t p = 0; p < ground; ++p) sky_lx += weights[p] * static_cast<double>(cd_m2[p]);
+    for (std::size_t c = 0; c < weights.size(); ++c)
+      if (c != ground) sky_lx += weights[c] * static_cast<double>(cd_m2[c]);
     const double sun = sky.sun_normal_lx[i] > 0.0 ? face.sun_factor(sky.sun[i]) : 0.0;
     if (plan.law == BlindLaw::illuminance) {
       values[sky.lit[i]] = sky_lx + weights[ground] * static_cast<double>(cd_m2[ground]) + sun * sky.sun_normal_lx[i];

@@ -29,7 +29,6 @@ void add_in_band(const SkyPatches& patches, double altitude, double turn, double
 std::vector<SunShare> sun_shares(const SkyPatches& patches, const Vec3& towards) {
   const std::size_t inside = patches.patch_of(towards);
   if (inside == patches.ground()) return {};
-  if (patches.subdivision() == 1) return {{inside, 1.0}};
   const double altitude = altitude_rad(towards), turn = std::atan2(towards.y, towards.x);
   const double height = patches.box(0).high_rad;
   // Middles of bands lie at half heights; below the first and above the last there is one band.

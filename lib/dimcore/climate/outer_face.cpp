@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/low_discrepancy.hpp"
+#include "light/outside_light.hpp"
 #include "sky/direction.hpp"
 
 namespace dim {
@@ -17,8 +18,8 @@ OuterFace::OuterFace(const Zone& zone, const std::string& group, int subdivision
     : north_rad_(zone.site ? radians(zone.site->north_deg) : 0.0),
       obstructions_(zone, Lights{}),
       windows_(find_windows(zone)) {
-  const SkyPatches patches(subdivision);
-  patch_lx_.assign(patches.size() + 1, 0.0);
+  const OutsideLight light(SkyPatches(subdivision), north_rad_);
+  column_lx_.assign(light.n_columns(), 0.0);
   for (std::size_t w = 0; w < windows_.windows.size(); ++w) {
     if (windows_.groups[windows_.windows[w].group].name != group) continue;
     members_.push_back(w);
@@ -35,8 +36,7 @@ OuterFace::OuterFace(const Zone& zone, const std::string& group, int subdivision
           {radius * std::cos(turn), radius * std::sin(turn), std::sqrt(1.0 - x[0])});
       const Vec3 on_glass = window.frame().to_world(window.area.point(x[2], x[3]));
       if (!window.open_outside && obstructions_.caster().nearest(on_glass, outwards, window.plate).plate >= 0) continue;
-      const std::size_t patch = outwards.z > 0.0 ? patches.patch_of(to_sky(outwards, north_rad_)) : patches.ground();
-      patch_lx_[patch] += lx;
+      light.open(outwards).each_column([&](std::size_t c, double cd_m2) { column_lx_[c] += lx * cd_m2; });
     }
   }
 }

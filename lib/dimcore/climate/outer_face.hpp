@@ -19,8 +19,8 @@ class OuterFace {
 
   /// Whether the group has a face.
   bool exists() const { return area_m2_ > 0.0; }
-  /// Illuminance of the mean of the faces by a patch, or the ground, at 1 cd/m2, lx. [n_patches + 1]
-  const std::vector<double>& patch_lx() const { return patch_lx_; }
+  /// Illuminance of the mean of the faces by a column of SkyPatches at 1 cd/m2, lx. [n_columns]
+  const std::vector<double>& column_lx() const { return column_lx_; }
   /// Illuminance by the sun's beam over that across it. @param towards  unit vector of the sky's frame
   double sun_factor(const Vec3& towards) const;
 
@@ -30,7 +30,7 @@ class OuterFace {
   Windows windows_;
   std::vector<std::size_t> members_;
   double area_m2_ = 0.0;
-  std::vector<double> patch_lx_;
+  std::vector<double> column_lx_;
 };
 
 }  // namespace dim

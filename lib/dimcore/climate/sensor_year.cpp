@@ -11,7 +11,7 @@ DaylightCoefficients at_points(const DaylightCoefficients& coefficients,
   some.n_points = points.size();
   some.total_lx.clear();
   some.direct_lx.clear();
-  for (std::size_t row = 0; row <= SkyPatches(coefficients.subdivision).size(); ++row) {
+  for (std::size_t row = 0; row < SkyPatches(coefficients.subdivision).n_columns(); ++row) {
     for (const std::size_t p : points) {
       some.total_lx.push_back(coefficients.total_lx[row * coefficients.n_points + p]);
       some.direct_lx.push_back(coefficients.direct_lx[row * coefficients.n_points + p]);

@@ -1,6 +1,7 @@
 #include "climate/sky_mix.hpp"
 
-#include "climate/coefficients.hpp"
+#include "climate/stored_coefficients.hpp"
+#include "sky/sky_by_patches.hpp"
 
 namespace dim {
 
@@ -11,18 +12,25 @@ Mix sky_mix(const LuminanceDatabase& database, const Mix& mix, const Daylight& d
                                             : "holds no daylight",
                              "run dimray with [sky] model = \"tregenza\" or \"reinhart\" in the lights file"});
   const SkyPatches patches(database.sky()->subdivision);
-  auto cd_m2 = daylight.sky.patch_means_cd_m2(patches);
+  const double ground_cd_m2 = database.sky()->ground_reflectance * daylight.horizontal_lx() / kPi;
+  auto cd_m2 = sky_by_patches(daylight.sky, patches).columns_cd_m2(patches, ground_cd_m2);
   if (daylight.direct_normal_lx > 0.0 && daylight.sun.z > 0.0) {
     for (const auto& [patch, share] : sun_shares(patches, daylight.sun))
       cd_m2[patch] += share * daylight.direct_normal_lx / patches.solid_angle_sr(patch);
   }
-  cd_m2.push_back(database.sky()->ground_reflectance * daylight.horizontal_lx() / kPi);
   Mix result = mix;
   for (std::size_t s = 0; s < result.size(); ++s) {
     const auto& origin = database.sources()[s].daylight;
-    if (!origin) continue;
-    const bool ground = origin->part == DaylightPart::ground;
-    result[s] *= cd_m2[ground ? patches.ground() : static_cast<std::size_t>(origin->patch)];
+    if (origin) result[s] *= cd_m2[column_of(*origin, patches)];
+  }
+  return result;
+}
+
+Mix even_patches(const LuminanceDatabase& database, const Mix& mix) {
+  Mix result = mix;
+  for (std::size_t s = 0; s < result.size(); ++s) {
+    const auto& origin = database.sources()[s].daylight;
+    if (origin && origin->part == DaylightPart::ramp) result[s] = 0.0;
   }
   return result;
 }

@@ -74,6 +74,12 @@ std::vector<std::string> window_groups(const LuminanceDatabase& database) {
   return names;
 }
 
+std::size_t column_of(const DaylightOrigin& origin, const SkyPatches& patches) {
+  if (origin.part == DaylightPart::ground) return patches.ground();
+  const auto index = static_cast<std::size_t>(origin.patch);
+  return origin.part == DaylightPart::ramp ? patches.ramp(index) : index;
+}
+
 DaylightCoefficients stored_coefficients(const LuminanceDatabase& database, const WindowStates& states,
                                          const std::vector<std::string>& groups) {
   if (!database.sky() || database.sky()->subdivision == 0)
@@ -88,22 +94,20 @@ DaylightCoefficients stored_coefficients(const LuminanceDatabase& database, cons
   c.ground_reflectance = database.sky()->ground_reflectance;
   c.north_rad = database.zone().site ? radians(database.zone().site->north_deg) : 0.0;
   c.n_points = database.zone().points.size();
-  c.total_lx.assign((patches.size() + 1) * c.n_points, 0.0F);
+  c.total_lx.assign(patches.n_columns() * c.n_points, 0.0F);
   c.direct_lx = c.total_lx;
   for (std::size_t s = 0; s < database.sources().size() && c.n_points > 0; ++s) {
     const Source& source = database.sources()[s];
     const bool of_group = groups.empty() || std::find(groups.begin(), groups.end(), source.group) != groups.end();
     if (!source.daylight || !of_group || !is_chosen(source, states)) continue;
-    const std::size_t patch = source.daylight->part == DaylightPart::ground
-                                  ? patches.ground()
-                                  : static_cast<std::size_t>(source.daylight->patch);
+    const std::size_t column = column_of(*source.daylight, patches);
     const auto xyz = source.xyz_by_class(database.classes());
     std::vector<float> total(c.n_points, 0.0F), direct(c.n_points, 0.0F);
     add_transfer(database.transfer(TransferPart::point_total, s), xyz, c.n_points, total.data());
     add_transfer(database.transfer(TransferPart::point_direct, s), xyz, c.n_points, direct.data());
     for (std::size_t i = 0; i < c.n_points; ++i) {
-      c.direct_lx[patch * c.n_points + i] += direct[i];
-      c.total_lx[patch * c.n_points + i] += total[i];
+      c.direct_lx[column * c.n_points + i] += direct[i];
+      c.total_lx[column * c.n_points + i] += total[i];
     }
   }
   return c;

@@ -116,8 +116,8 @@ Outside::Links Outside::links(const Job& job) const {
       const Vec3 direction = frame.direction_to_world(cosine_direction(x[0], x[1]));
       const OutsideSeen met = seen(from, direction, skip);
       if (met.cell >= 0) found.share[i][met.cell] += 1.0 / kRaysPerCell;
-      if (met.column >= 0)
-        found.direct_lx[i * n_columns + static_cast<std::size_t>(met.column)] += kPi * met.cd_m2 / kRaysPerCell;
+      met.each_column(
+          [&](std::size_t c, double cd_m2) { found.direct_lx[i * n_columns + c] += kPi * cd_m2 / kRaysPerCell; });
     }
   });
   job.check();

@@ -16,7 +16,8 @@ OutsideLight::OutsideLight(const SkyPatches& patches, double north_rad)
 
 DaylightPart OutsideLight::part(std::size_t column) const {
   if (column < ground_) return DaylightPart::sky;
-  return column == ground_ ? DaylightPart::ground : DaylightPart::sun;
+  if (column == ground_) return DaylightPart::ground;
+  return by_patches() ? DaylightPart::ramp : DaylightPart::sun;
 }
 
 }  // namespace dim

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -10,13 +11,22 @@
 namespace dim {
 
 /// What a column of daylight is of.
-enum class DaylightPart { sky, ground, sun };
+enum class DaylightPart { sky, ground, sun, ramp };
 
 /// A column and the luminance, cd/m2, that it has where something of the outside is seen; column < 0: nothing.
 struct OutsideSeen {
   int column = -1;
   double cd_m2 = 0.0;
   int cell = -1;  ///< of an outside surface instead
+  int ramp = -1;  ///< column of a ramp that is seen with a patch
+  double ramp_cd_m2 = 0.0;
+
+  /// Calls add(column, cd_m2) for every column that is seen.
+  template <typename Add>
+  void each_column(const Add& add) const {
+    if (column >= 0) add(static_cast<std::size_t>(column), cd_m2);
+    if (ramp >= 0) add(static_cast<std::size_t>(ramp), ramp_cd_m2);
+  }
 };
 
 /// The sun as a disc that sends parallel light but for its width.
@@ -26,7 +36,7 @@ struct SunBeam {
 };
 
 /// The light of the outside by direction, split into columns that are kept apart: one sky, its ground and its
-/// sun; or every patch of the sky and the ground at 1 cd/m2 each, for any sky to be mixed from afterwards.
+/// sun; or the columns of SkyPatches at 1 cd/m2 each, for any sky to be mixed from afterwards.
 class OutsideLight {
  public:
   /// @param north_rad           true north, clockwise from +y
@@ -34,8 +44,8 @@ class OutsideLight {
   OutsideLight(const Daylight& now, double north_rad, double ground_reflectance);
   OutsideLight(const SkyPatches& patches, double north_rad);
 
-  /// Columns: sky (or all patches), ground, and the sun where there is one.
-  std::size_t n_columns() const { return ground_ + 1 + (sun_ ? 1 : 0); }
+  /// Columns: sky, ground, and the sun where there is one; or those of the patches.
+  std::size_t n_columns() const { return by_patches() ? patches_.n_columns() : ground_ + 1 + (sun_ ? 1 : 0); }
   DaylightPart part(std::size_t column) const;
   bool by_patches() const { return !sky_.has_value(); }
   const SkyPatches& patches() const { return patches_; }
@@ -45,7 +55,7 @@ class OutsideLight {
     if (!(direction.z > 0.0)) return ground();
     const Vec3 in_sky = to_sky(direction, north_rad_);
     if (sky_) return {0, sky_->luminance_cd_m2(in_sky), -1};
-    return {static_cast<int>(patches_.patch_of(in_sky)), 1.0, -1};
+    return patch_seen(in_sky);
   }
   OutsideSeen ground() const { return {static_cast<int>(ground_), ground_cd_m2_, -1}; }
 
@@ -59,6 +69,15 @@ class OutsideLight {
   }
 
  private:
+  OutsideSeen patch_seen(const Vec3& in_sky) const {
+    const std::size_t patch = patches_.patch_of(in_sky);
+    OutsideSeen seen{static_cast<int>(patch), 1.0, -1};
+    if (patch == patches_.ground() || patches_.band_of(patch) == patches_.n_ramps()) return seen;
+    seen.ramp = static_cast<int>(patches_.ramp(patches_.band_of(patch)));
+    seen.ramp_cd_m2 = std::clamp(patches_.ramp_cd_m2(patches_.band_of(patch), in_sky.z), 0.0, 1.0);
+    return seen;
+  }
+
   SkyPatches patches_;
   std::optional<Sky> sky_;
   double north_rad_;

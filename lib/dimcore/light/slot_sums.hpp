@@ -23,7 +23,7 @@ class SlotSums {
   }
   /// A path through no window.
   void add_seen(std::size_t slot, const OutsideSeen& seen, double weight) {
-    if (seen.column >= 0) light_lx_[slot * n_columns_ + static_cast<std::size_t>(seen.column)] += weight * seen.cd_m2;
+    seen.each_column([&](std::size_t c, double cd_m2) { light_lx_[slot * n_columns_ + c] += weight * cd_m2; });
     if (seen.cell >= 0) of_cells_[slot * n_cells_ + static_cast<std::size_t>(seen.cell)] += weight;
   }
   /// A line to a window, for its scattering panes. @param klems_patch  that light travels in

@@ -93,11 +93,10 @@ class WindowFlux::Gatherer {
   void add(const OutsideSeen& seen, Fate fate, const Vec3& travel, double lx) {
     const std::size_t in = pane_.scattering ? klems::patch_of(travel) : 0;
     const double passed = pane_.straight_at(travel.z) * lx;
-    if (seen.column >= 0) {
-      const auto c = static_cast<std::size_t>(seen.column);
-      sum_.passed_lx[fate][c] += passed * seen.cd_m2;
-      if (pane_.scattering) sum_.by_patch_lx[in * n_columns_ + c] += lx * seen.cd_m2;
-    }
+    seen.each_column([&](std::size_t c, double cd_m2) {
+      sum_.passed_lx[fate][c] += passed * cd_m2;
+      if (pane_.scattering) sum_.by_patch_lx[in * n_columns_ + c] += lx * cd_m2;
+    });
     if (seen.cell < 0) return;
     const auto j = static_cast<std::size_t>(seen.cell);
     of_cells_[fate][j] += passed;

@@ -22,7 +22,7 @@ Json to_json(const EnergyBalance& e) {
 }
 
 // As DaylightPart numbers them.
-const std::vector<std::string> kParts = {"sky", "ground", "sun"};
+const std::vector<std::string> kParts = {"sky", "ground", "sun", "ramp"};
 
 Json to_json(const Source& source, bool spectrum_known) {
   Json energy = Json::array();
@@ -74,15 +74,29 @@ DaylightOrigin daylight_from(const JsonEntry& d) {
           d["state"].text(), d["as_it_stands"].flag()};
 }
 
-// Coefficients must be of patches that the sky of the file has.
+// Whether a sky has such a part: coefficients are of patches and ramps that it is cut into.
+bool has(const SkyRecord& sky, const DaylightOrigin& daylight) {
+  const auto below = [&](std::size_t n) { return daylight.patch >= 0 && static_cast<std::size_t>(daylight.patch) < n; };
+  if (sky.subdivision == 0) return daylight.part != DaylightPart::ramp && daylight.patch == -1;
+  const SkyPatches patches(sky.subdivision);
+  switch (daylight.part) {
+    case DaylightPart::sky:
+      return below(patches.size());
+    case DaylightPart::ground:
+      return daylight.patch == -1;
+    case DaylightPart::sun:
+      return false;
+    case DaylightPart::ramp:
+      break;
+  }
+  return below(patches.n_ramps());
+}
+
 void check_patches(const JsonEntry& sources, const ResultContent& content) {
-  const int n_patches = content.sky && content.sky->subdivision > 0
-                            ? static_cast<int>(SkyPatches(content.sky->subdivision).size())
-                            : 0;
   for (std::size_t s = 0; s < content.sources.size(); ++s) {
     const auto& daylight = content.sources[s].daylight;
-    if (daylight && (daylight->patch >= n_patches || !content.sky))
-      sources.at(s)["daylight"].fail("is of a patch that the sky has not");
+    if (daylight && !(content.sky && has(*content.sky, *daylight)))
+      sources.at(s)["daylight"].fail("is of a part of the sky that the file has not");
   }
 }
 

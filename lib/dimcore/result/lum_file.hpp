@@ -10,7 +10,7 @@
 
 namespace dim {
 
-inline constexpr int kLumVersion = 2;
+inline constexpr int kLumVersion = 3;
 
 /// All that a `.lum` file holds.
 const FileSchema& lum_schema();

@@ -51,7 +51,7 @@ class LightsReader {
 
   Lights read() {
     for (const char* key : {"dim", "name"}) root_.text(key);
-    lights_.sky = read_sky(root_, folder_, load_, shelf_.spectra());
+    lights_.sky = read_sky(root_, zone_.site, folder_, load_, shelf_.spectra());
     check_windows();
     const auto tables = root_.tables("luminaire");
     for (const auto& table : tables) read_entry(table);

@@ -7,7 +7,10 @@
 #include <filesystem>
 #include <numeric>
 
+#include "sky/calendar.hpp"
 #include "sky/direction.hpp"
+#include "sky/sky_patches.hpp"
+#include "sky/sun_position.hpp"
 #include "spectrum/named_spectra.hpp"
 
 namespace dim {
@@ -21,8 +24,9 @@ constexpr char kSunSpectrum[] = "daylight-5500";
 
 class SkyReader {
  public:
-  SkyReader(const TomlTable& table, const std::string& folder, const FileLoader& load, const SpectrumFinder& spectra)
-      : table_(table), folder_(folder), load_(load), spectra_(spectra) {}
+  SkyReader(const TomlTable& table, const std::optional<Site>& site, const std::string& folder, const FileLoader& load,
+            const SpectrumFinder& spectra)
+      : table_(table), site_(site), folder_(folder), load_(load), spectra_(spectra) {}
 
   std::optional<SkyLight> read() {
     table_.require("model");
@@ -76,25 +80,51 @@ class SkyReader {
   struct Sun {
     double altitude_rad;
     Vec3 towards;
+    double distance_au = 1.0;
   };
   std::optional<Sun> read_sun() {
     if (!table_.has("sun")) return std::nullopt;
-    const auto sun = table_.table("sun", "sky, sun");
-    if (!sun) return std::nullopt;
-    sun->require("altitude");
-    sun->require("azimuth");
-    const auto altitude = sun->number("altitude", {-90.0, 90.0});
-    const auto azimuth = sun->number("azimuth", {-360.0, 360.0});
-    light_.sun_spectrum = spectrum_of(*sun, kSunSpectrum, light_.sun_spectrum_name);
-    sun->refuse_unknown();
+    const auto table = table_.table("sun", "sky, sun");
+    if (!table) return std::nullopt;
+    const bool by_time = table->has("time");
+    const auto sun = by_time ? sun_at_time(*table) : sun_at_angles(*table);
+    light_.sun_spectrum = spectrum_of(*table, kSunSpectrum, light_.sun_spectrum_name);
+    table->refuse_unknown();
+    if (!sun || sun->altitude_rad > 0.0) return sun;
+    table->problem(by_time ? "time" : "altitude",
+                   fmt::format("the sun stands {} degrees above the horizon: it sends no light",
+                               short_number(degrees(sun->altitude_rad))),
+                   by_time ? "a time of the day, or a sky without sun" : "an altitude above 0, or a sky without sun");
+    return std::nullopt;
+  }
+
+  static std::optional<Sun> sun_at_angles(const TomlTable& table) {
+    table.require("altitude");
+    table.require("azimuth");
+    const auto altitude = table.number("altitude", {-90.0, 90.0});
+    const auto azimuth = table.number("azimuth", {-360.0, 360.0});
     if (!altitude || !azimuth) return std::nullopt;
-    if (!(*altitude > 0.0)) {
-      sun->problem("altitude", fmt::format("the sun stands {} degrees above the horizon: it sends no light",
-                                           short_number(*altitude)),
-                   "an altitude above 0, or a sky without sun");
+    return Sun{radians(*altitude), sky_direction(radians(*altitude), radians(*azimuth))};
+  }
+
+  // Local standard time of the site. Light comes from the apparent sun.
+  std::optional<Sun> sun_at_time(const TomlTable& table) const {
+    const auto text = table.text("time");
+    if (!text) return std::nullopt;
+    const auto time = parse_local_time(*text);
+    if (!time) {
+      table.problem("time", fmt::format("'{}' is no time of the years 1950 to 2050", *text),
+                    "write \"2001-06-21T09:30\", local standard time");
       return std::nullopt;
     }
-    return Sun{radians(*altitude), sky_direction(radians(*altitude), radians(*azimuth))};
+    if (!site_) {
+      table.problem("time", "the sun's place at a time depends on the site, and the zone file has no [site]",
+                    "give the zone file [site] latitude and longitude, or write altitude and azimuth here");
+      return std::nullopt;
+    }
+    const auto position = sun_position(julian_day(*time, site_->time_zone_h), radians(site_->latitude_deg),
+                                       radians(site_->longitude_deg));
+    return Sun{position.apparent_altitude_rad, position.direction(), position.distance_au};
   }
 
   void read_perez(const std::optional<Sun>& sun) {
@@ -102,7 +132,7 @@ class SkyReader {
     if (!table_.has("sun")) table_.require("sun", "write sun = { altitude = 40, azimuth = 150 }");
     const auto direct = table_.number("direct_normal", kIrradiance);
     const auto diffuse = table_.number("diffuse_horizontal", kIrradiance);
-    if (sun && direct && diffuse) light_.now = perez_daylight(sun->towards, {*direct, *diffuse});
+    if (sun && direct && diffuse) light_.now = perez_daylight(sun->towards, {*direct, *diffuse}, sun->distance_au);
   }
 
   // A form scaled to illuminance or irradiance, with the beam in the same unit.
@@ -185,6 +215,7 @@ class SkyReader {
   }
 
   const TomlTable& table_;
+  const std::optional<Site>& site_;
   const std::string& folder_;
   const FileLoader& load_;
   const SpectrumFinder& spectra_;
@@ -193,12 +224,12 @@ class SkyReader {
 
 }  // namespace
 
-std::optional<SkyLight> read_sky(const TomlTable& root, const std::string& folder, const FileLoader& load,
-                                 const SpectrumFinder& spectra) {
+std::optional<SkyLight> read_sky(const TomlTable& root, const std::optional<Site>& site, const std::string& folder,
+                                 const FileLoader& load, const SpectrumFinder& spectra) {
   if (!root.has("sky")) return std::nullopt;
   const auto table = root.table("sky", "sky");
   if (!table) return std::nullopt;
-  return SkyReader(*table, folder, load, spectra).read();
+  return SkyReader(*table, site, folder, load, spectra).read();
 }
 
 }  // namespace dim

@@ -1,8 +1,21 @@
 #include "sky/calendar.hpp"
 
-#include <cmath>
+#include <charconv>
 
 namespace dim {
+namespace {
+
+constexpr int kFirstYear = 1950, kLastYear = 2050;
+
+/// A whole number of exactly these digits within limits; -1 for anything else.
+int digits(std::string_view text, int least, int greatest) {
+  int value = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = error == std::errc{} && stop == text.data() + text.size() && text.front() != '-';
+  return whole && value >= least && value <= greatest ? value : -1;
+}
+
+}  // namespace
 
 bool is_leap_year(int year) { return (year % 4 == 0 && year % 100 != 0) || year % 400 == 0; }
 
@@ -21,6 +34,16 @@ LocalTime date_of(int year, int day) {
   int month = 1;
   while (month < 12 && day > days_in_month(year, month)) day -= days_in_month(year, month++);
   return {year, month, day, 0.0};
+}
+
+std::optional<LocalTime> parse_local_time(std::string_view text) {
+  if (text.size() != 16 || text[4] != '-' || text[7] != '-' || text[10] != 'T' || text[13] != ':') return std::nullopt;
+  const int year = digits(text.substr(0, 4), kFirstYear, kLastYear), month = digits(text.substr(5, 2), 1, 12);
+  const int hour = digits(text.substr(11, 2), 0, 24), minute = digits(text.substr(14, 2), 0, hour == 24 ? 0 : 59);
+  if (year < 0 || month < 0 || hour < 0 || minute < 0) return std::nullopt;
+  const int day = digits(text.substr(8, 2), 1, days_in_month(year, month));
+  if (day < 0) return std::nullopt;
+  return LocalTime{year, month, day, hour + minute / 60.0};
 }
 
 double julian_day(const LocalTime& time, double time_zone_h) {

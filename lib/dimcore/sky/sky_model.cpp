@@ -46,27 +46,6 @@ constexpr std::array<std::array<double, 20>, 8> kPerez = {
      {-1.05,    0.0289, 0.426,   0.359, -0.325, 0.1156, 0.7781, 0.0025,  31.0625, -14.5,
       -46.1148, 55.375, -7.2312, 0.405, 13.35,  0.6234, 1.5,    -0.6426, 1.8564,  0.5636}}};
 
-/// Multiplies luminances by 1 + x sin h + y cos h so that they have the horizontal and cylindrical sums
-/// wanted.
-void tilt_to(const SkySums& wanted, const SkyPatches& patches, std::vector<double>& luminances) {
-  double horizontal = 0.0, cylinder = 0.0, hh = 0.0, hc = 0.0, cc = 0.0;
-  for (std::size_t p = 0; p < patches.size(); ++p) {
-    const double h = patches.horizontal_sr(p), c = patches.cylinder_sr(p), l = luminances[p];
-    horizontal += l * h;
-    cylinder += l * c;
-    hh += l * h * h / patches.solid_angle_sr(p);
-    hc += l * h * c / patches.solid_angle_sr(p);
-    cc += l * c * c / patches.solid_angle_sr(p);
-  }
-  const double to_h = wanted.horizontal_sr - horizontal, to_c = wanted.cylinder_sr - cylinder;
-  const double determinant = hh * cc - hc * hc;
-  if (determinant <= 0.0) return;  // no light at all
-  const double x = (to_h * cc - to_c * hc) / determinant, y = (to_c * hh - to_h * hc) / determinant;
-  for (std::size_t p = 0; p < patches.size(); ++p)
-    luminances[p] *=
-        1.0 + (x * patches.horizontal_sr(p) + y * patches.cylinder_sr(p)) / patches.solid_angle_sr(p);
-}
-
 }  // namespace
 
 SkyModel SkyModel::uniform() { return {}; }
@@ -135,37 +114,11 @@ double SkyModel::operator()(const Vec3& direction, const Vec3& sun) const {
   return std::max(0.0, gradation * (k_ + c_ * std::exp(d_ * chi) + e_ * cosine * cosine));
 }
 
-namespace {
-
-/// Luminances of the patches for a model's relative ones: see Sky::patch_means_cd_m2.
-struct RelativePatches {
-  std::vector<double> means;
-  double horizontal_sr = 0.0;
-};
-
-template <typename Rule>
-RelativePatches relative_patches(const SkyModel& model, const Vec3& sun, const SkyPatches& patches) {
-  RelativePatches relative{std::vector<double>(patches.size())};
-  SkySums all;
-  for (std::size_t p = 0; p < patches.size(); ++p) {
-    const auto sums = integrate_sky<Rule>(patches.box(p), sun, [&](const Vec3& d) { return model(d, sun); });
-    relative.means[p] = sums.sr / patches.solid_angle_sr(p);
-    all.horizontal_sr += sums.horizontal_sr;
-    all.cylinder_sr += sums.cylinder_sr;
-  }
-  if (!model.is_table()) tilt_to(all, patches, relative.means);
-  relative.horizontal_sr = all.horizontal_sr;
-  return relative;
-}
-
-/// Factor from relative to absolute luminance.
-double scale_of(double horizontal_lx, double relative_horizontal_sr) {
+double sky_scale(double horizontal_lx, double relative_horizontal_sr) {
   if (horizontal_lx == 0.0) return 0.0;
   if (!(relative_horizontal_sr > 0.0)) throw InternalError("a sky without light cannot be scaled");
   return horizontal_lx / relative_horizontal_sr;
 }
-
-}  // namespace
 
 Sky::Sky(SkyModel model, const Vec3& sun, double horizontal_lx)
     : model_(std::move(model)), sun_(sun), horizontal_lx_(horizontal_lx) {
@@ -176,22 +129,7 @@ Sky::Sky(SkyModel model, const Vec3& sun, double horizontal_lx)
     sum += integrate_sky<FineSky>(patches.box(p), sun_, [&](const Vec3& d) {
              return model_(d, sun_);
            }).horizontal_sr;
-  scale_ = scale_of(horizontal_lx, sum);
-}
-
-std::vector<double> Sky::patch_means_cd_m2(const SkyPatches& patches) const {
-  auto relative = relative_patches<FineSky>(model_, sun_, patches);
-  for (double& mean : relative.means) mean *= scale_;
-  return std::move(relative.means);
-}
-
-std::vector<double> quick_patch_means_cd_m2(const SkyModel& model, const Vec3& sun, double horizontal_lx,
-                                            const SkyPatches& patches) {
-  if (horizontal_lx == 0.0) return std::vector<double>(patches.size(), 0.0);
-  auto relative = relative_patches<QuickSky>(model, sun, patches);
-  const double scale = scale_of(horizontal_lx, relative.horizontal_sr);
-  for (double& mean : relative.means) mean *= scale;
-  return std::move(relative.means);
+  scale_ = sky_scale(horizontal_lx, sum);
 }
 
 }  // namespace dim

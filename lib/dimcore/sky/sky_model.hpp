@@ -4,7 +4,6 @@
 
 #include "base/vec.hpp"
 #include "sky/efficacy.hpp"
-#include "sky/sky_patches.hpp"
 
 namespace dim {
 
@@ -53,13 +52,11 @@ class Sky {
     return direction.z > 0.0 ? scale_ * model_(direction, sun_) : 0.0;
   }
   double horizontal_lx() const { return horizontal_lx_; }
-  /// What stands for the sky where the luminance of every patch is taken as uniform, cd/m2: the mean over its
-  /// solid angle, times 1 + x sin h + y cos h of the patch's altitude h with the x and y that make the
-  /// horizontal and the cylindrical illuminance (the mean of all vertical ones) exact. Plain means miss the
-  /// horizontal illuminance by up to 5 % with 145 patches and a low sun; one common factor would shift that
-  /// error to vertical surfaces. [size()]
-  /// @error vertical illuminance 1 % with 145 patches, 0.3 % with 577, 0.1 % with 2,305
-  std::vector<double> patch_means_cd_m2(const SkyPatches& patches) const;
+  const SkyModel& model() const { return model_; }
+  /// Where the model has the sun.
+  const Vec3& sun() const { return sun_; }
+  /// cd/m2 for a relative luminance of 1.
+  double scale_cd_m2() const { return scale_; }
 
  private:
   SkyModel model_;
@@ -68,10 +65,7 @@ class Sky {
   double scale_;
 };
 
-/// Sky::patch_means_cd_m2 without making the sky, for one of many hours; adds up to the horizontal
-/// illuminance exactly.
-/// @error 0.1 % of each patch, 1 % of the one that holds the sun (tests/unit/sky_model_test)
-std::vector<double> quick_patch_means_cd_m2(const SkyModel& model, const Vec3& sun, double horizontal_lx,
-                                            const SkyPatches& patches);
+/// Factor from a model's relative luminance to cd/m2. @throws InternalError  light from a model without any
+double sky_scale(double horizontal_lx, double relative_horizontal_sr);
 
 }  // namespace dim

@@ -31,6 +31,10 @@ SkyPatches::SkyPatches(int subdivision) : subdivision_(subdivision) {
   first_.push_back(boxes_.size());
   boxes_.push_back({7 * subdivision * band_rad_, 0.5 * kPi, 0.0, 2.0 * kPi});
   first_.push_back(boxes_.size());
+  for (std::size_t band = 0; band + 1 < first_.size(); ++band) {
+    band_.insert(band_.end(), first_[band + 1] - first_[band], band);
+    sine_.push_back(std::sin(boxes_[first_[band]].low_rad));
+  }
 }
 
 double SkyPatches::solid_angle_sr(std::size_t patch) const {
@@ -51,6 +55,20 @@ double SkyPatches::cylinder_sr(std::size_t patch) const {
   const SkyBox& b = boxes_[patch];
   const double height = b.high_rad - b.low_rad;
   return 0.5 * (height + std::cos(b.high_rad + b.low_rad) * std::sin(height)) * (b.last_rad - b.first_rad);
+}
+
+double SkyPatches::ramp_horizontal_sr(std::size_t band) const {
+  return solid_angle_sr(first_[band]) * (sine_[band + 1] - sine_[band]) / 12.0;
+}
+
+double SkyPatches::ramp_cylinder_sr(std::size_t band) const {
+  const std::size_t patch = first_[band];
+  const SkyBox& b = boxes_[patch];
+  const double low = sine_[band], high = sine_[band + 1];
+  // Of sine times cosine of the altitude over the patch, less that of the middle sine.
+  const double sine_cylinder =
+      (std::pow(std::cos(b.low_rad), 3) - std::pow(std::cos(b.high_rad), 3)) / 3.0 * (b.last_rad - b.first_rad);
+  return (sine_cylinder - 0.5 * (low + high) * cylinder_sr(patch)) / (high - low);
 }
 
 Vec3 SkyPatches::centre(std::size_t patch) const {

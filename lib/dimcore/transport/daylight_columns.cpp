@@ -32,6 +32,26 @@ void merge_groups(Windows& windows) {
   windows.groups = {all};
 }
 
+const char* word_of(DaylightPart part) {
+  switch (part) {
+    case DaylightPart::sky:
+      return "sky";
+    case DaylightPart::ground:
+      return "ground";
+    case DaylightPart::sun:
+      return "sun";
+    case DaylightPart::ramp:
+      break;
+  }
+  return "ramp";
+}
+
+// Of patches and ramps among their like; -1 for the ground.
+int index_of(DaylightPart part, std::size_t column, const SkyPatches& patches) {
+  if (part == DaylightPart::ground) return -1;
+  return static_cast<int>(part == DaylightPart::ramp ? column - patches.ramp(0) : column);
+}
+
 ReceiverArea area_of(const Receiver& receiver) {
   return {receiver.frame->n, receiver.ring, receiver.skip, receiver.stream};
 }
@@ -80,14 +100,12 @@ void DaylightSources::make_sources(const SkyLight& sky, const Bands& bands) {
     for (std::size_t s = 0; s < group.states.size(); ++s) {
       for (std::size_t c = 0; c < n_outside_columns(); ++c) {
         const DaylightPart part = light_->part(c);
+        const int index = light_->by_patches() ? index_of(part, c, light_->patches()) : -1;
         Source source;
-        source.name = part == DaylightPart::ground ? "ground"
-                      : part == DaylightPart::sun  ? "sun"
-                      : light_->by_patches()       ? fmt::format("sky[{}]", c)
-                                                   : "sky";
+        source.name = index < 0 ? word_of(part) : fmt::format("{}[{}]", word_of(part), index);
         source.group = group.name;
         source.weights = part == DaylightPart::sun ? of_sun : of_sky;
-        source.daylight = DaylightOrigin{part, part == DaylightPart::sky && light_->by_patches() ? static_cast<int>(c) : -1, group.states[s], s == 0};
+        source.daylight = DaylightOrigin{part, index, group.states[s], s == 0};
         origin_.push_back({g, s, c});
         sources_.push_back(std::move(source));
       }
@@ -147,8 +165,8 @@ std::vector<std::string> DaylightSources::in_words() const {
   std::vector<std::string> words;
   words.emplace_back(fmt::format("light from outside: windows {}, groups {}, states of all groups {}, each with {}",
                               windows_.windows.size(), windows_.groups.size(), n_states,
-                              light_->by_patches() ? fmt::format("{} patches of the sky and the ground",
-                                                                 light_->patches().size())
+                              light_->by_patches() ? fmt::format("{} patches and {} ramps of the sky and the ground",
+                                                                 light_->patches().size(), light_->patches().n_ramps())
                               : light_->sun()      ? "sky, ground and sun"
                                                    : "sky and ground"));
   words.emplace_back(tinted() ? "panes or surfaces outside colour the light: it is kept by class of bands"

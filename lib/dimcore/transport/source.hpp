@@ -27,14 +27,14 @@ struct EnergyBalance {
 /// What a source of daylight is: a part of the outside through a group of windows (`Source::group`) in one state.
 struct DaylightOrigin {
   DaylightPart part = DaylightPart::sky;
-  int patch = -1;         ///< of coefficients; -1: the whole sky, ground or sun
+  int patch = -1;         ///< of coefficients, or the band of a ramp; -1: the whole sky, ground or sun
   std::string state;      ///< of the windows
   bool as_it_stands = true;  ///< the state they have in the zone file; others count where they are asked for
 };
 
 /// The outside that a solution was made for.
 struct SkyRecord {
-  int subdivision = 0;         ///< of coefficients: 1, 2 or 4, every patch and the ground at 1 cd/m2; 0: one sky
+  int subdivision = 0;         ///< of coefficients: 1, 2 or 4, the columns of SkyPatches at 1 cd/m2; 0: one sky
   double horizontal_lx = 0.0;  ///< one sky: unobstructed, of the sky alone
   double ground_reflectance = 0.2;
 };
