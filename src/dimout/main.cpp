@@ -5,7 +5,7 @@
 int main(int argc, char** argv) {
   dim::Program program("dimout", "Tables and pictures from a luminance database.",
                        "  dimout grid office.lum --stats\n  dimout image office.lum --view door -o door.png",
-                       "file formats: lum/2");
+                       "file formats: lum/3");
   program.app().require_subcommand(1);
   program.add_common_options(program.app(), true);
   dim::TableCommands tables(program);
