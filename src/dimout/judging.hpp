@@ -24,6 +24,11 @@ class GlareCommand {
   CLI::App* glare_;
 };
 
+/// What requirements are held against: the luminaires of the mix asked for, and its daylight where a daylight factor
+/// is required.
+/// @throws InputError  a sky without light
+CheckInput check_input(const LuminanceDatabase& database, const Requirements& requirements, DatabaseInput asked);
+
 /// check.
 class CheckCommand {
  public:
