@@ -14,13 +14,14 @@ class GlareCommand {
  private:
   void of_view(const LuminanceDatabase& database);
   void of_observers(const LuminanceDatabase& database);
+  void of_daylight(const LuminanceDatabase& database);
 
   Program& program_;
   DatabaseInput input_;
   std::string view_, observers_;
   double height_m_ = 1.2;
   int n_directions_ = 24;
-  bool worst_ = false;
+  bool worst_ = false, daylight_ = false;
   CLI::App* glare_;
 };
 

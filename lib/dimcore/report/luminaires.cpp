@@ -27,7 +27,7 @@ const char* shape_name(OpeningShape shape) {
 }
 
 // Luminaires of one photometry, one factor and one opening are one line of the schedule.
-struct Fitting {
+struct ScheduleLine {
   std::size_t photometry = 0;
   double factor = 1.0;
   LuminousOpening opening;
@@ -40,7 +40,7 @@ struct Fitting {
   }
 };
 
-Json fitting_json(const LuminanceDatabase& database, const Fitting& fitting) {
+Json fitting_json(const LuminanceDatabase& database, const ScheduleLine& fitting) {
   const ShownPhotometry& light = database.photometry()[fitting.photometry];
   const std::string diagram = svg_text(polar_diagram(database.intensities()[fitting.photometry], light.name, kDiagram_px));
   return {{"name", light.name},
@@ -55,7 +55,7 @@ Json fitting_json(const LuminanceDatabase& database, const Fitting& fitting) {
 }  // namespace
 
 Json luminaires_part(const LuminanceDatabase& database) {
-  std::vector<Fitting> fittings;
+  std::vector<ScheduleLine> fittings;
   Json places = Json::array();
   for (const auto& luminaire : database.luminaires()) {
     std::size_t f = 0;

@@ -87,7 +87,9 @@ std::string packed_codes(const std::vector<std::uint16_t>& codes, int width) {
 }
 
 PackedPicture packed_picture(const Raster& raster) {
-  PackedPicture picture{raster.width, raster.height};
+  PackedPicture picture;
+  picture.width = raster.width;
+  picture.height = raster.height;
   ChromaticityRange range;
   for (std::size_t i = 0; i < raster.n_pixels(); ++i) {
     const float* xyz = &raster.xyz[3 * i];

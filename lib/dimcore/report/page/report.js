@@ -273,7 +273,8 @@ class Report {
     await unpackRoom(data);
     for (const picture of data.pictures)
       picture.lights = await Promise.all(picture.groups.map((part) => unpackPicture(part, picture.width, picture.height)));
-    new Report(data).build();
+    globalThis.report = new Report(data);
+    report.build();
     document.documentElement.dataset.ready = "yes";
   } catch (error) {
     document.getElementById("main").append(el("p", {}, `This browser cannot show the report: ${error.message}`));
