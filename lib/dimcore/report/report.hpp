@@ -20,7 +20,7 @@ struct ReportOptions {
 
 /// Pixels of all pictures together, each counted once for every group of lights: it keeps the page of six groups
 /// within 10 MB.
-inline constexpr double kMostGroupPixels = 4.4e6;
+inline constexpr double kMostGroupPixels = 7e6;
 
 /// Everything a room's lighting is judged by as one web page, which needs no other file and asks no host: plans,
 /// figures with their errors, requirements, luminaires, glare, energy balance, pictures. The light of each group is

@@ -53,10 +53,11 @@ class PlanPicture {
     c.save();
     this.clipToPlane(c);
     const labels = [];
-    if (least < greatest) for (const level of customaryLevels(least, greatest)) labels.push(this.isoline(c, lattice, level));
+    const taken = this.plan.luminaires.length > MOST_NUMBERED ? [] : this.plan.luminaires.map(([x, y]) => this.at(x, y));
+    if (least < greatest) for (const level of customaryLevels(least, greatest)) labels.push(this.isoline(c, lattice, level, taken));
     c.restore();
-    labels.forEach((label) => { if (label) this.word(c, ...label, 22, "#191919"); });
     this.numbers(c);
+    labels.forEach((label) => { if (label) this.word(c, ...label, 22, "#191919"); });
     this.legend(c);
     this.scaleBar(c);
   }
@@ -94,8 +95,9 @@ class PlanPicture {
     c.setTransform(1, 0, 0, 1, 0, 0);
   }
 
-  // Draws a level and returns where its label belongs: on the part of the line farthest from the plane's edge.
-  isoline(c, lattice, level) {
+  // Draws a level and returns where its label belongs: on the part of the line farthest from the plane's edge that is
+  // free of other words, whose places are in `taken`.
+  isoline(c, lattice, level, taken) {
     const { nx, ny } = lattice, segments = segmentsAt(lattice, level);
     c.beginPath();
     let best = null, most = 3;
@@ -103,8 +105,13 @@ class PlanPicture {
       c.moveTo(...this.onGrid(x0, y0, nx, ny));
       c.lineTo(...this.onGrid(x1, y1, nx, ny));
       const inside = Math.min(x0, y0, nx - 1 - x0, ny - 1 - y0);
-      if (inside > most) { most = inside; best = this.onGrid((x0 + x1) / 2, (y0 + y1) / 2, nx, ny); }
+      if (inside <= most) continue;
+      const place = this.onGrid((x0 + x1) / 2, (y0 + y1) / 2, nx, ny);
+      if (taken.some((other) => Math.abs(other[0] - place[0]) < 56 && Math.abs(other[1] - place[1]) < 28)) continue;
+      most = inside;
+      best = place;
     }
+    if (best) taken.push(best);
     c.lineWidth = 2.2;
     c.strokeStyle = "#191919";
     c.stroke();

@@ -238,7 +238,7 @@ class Report {
     const rows = this.data.glare.map((rating) => {
       const { ugr, eye } = worstUgr(rating, this.factors);
       const about = rating.kind === "view" ? "as the view looks" : eye < 0 ? `eyes ${rating.height_m} m above the floor`
-        : `worst of ${rating.sums[0].length / rating.directions} eyes ${rating.height_m} m above the floor, looking ` +
+        : `worst of ${plural(rating.sums[0].length / rating.directions, "eye")} ${rating.height_m} m above the floor, looking ` +
           `${figure(360 * (eye % rating.directions) / rating.directions)}° from +x towards +y`;
       return [`${rating.kind === "view" ? "View" : "Plane"} ${rating.name}`, about, Number.isFinite(ugr) ? ugr.toFixed(1) : "no source in sight"];
     });
@@ -259,7 +259,7 @@ class Report {
     }
     for (const { target } of this.results.slice(0, 1)) {
       const f = figuresOf(target, factors);
-      items.push([withUnit(figure(f.mean, 4), "lx"), `mean on ${target.name}`], [figure(f.u0, 2), "U0 there"]);
+      items.push([withUnit(figure(f.mean, 4), "lx"), `mean on ${target.name}`], [ratio(f.u0), "U0 there"]);
     }
     const watts = data.groups.reduce((sum, g) => (g.daylight ? sum : g.watts === null ? NaN : sum + g.watts), 0);
     if (data.luminaires.places.length > 0) items.push([plural(data.luminaires.places.length, "luminaire"), Number.isFinite(watts) ? `${figure(watts, 4)} W installed` : "power not known"]);

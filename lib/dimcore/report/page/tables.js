@@ -24,6 +24,8 @@ function figure(v, digits = 3) {
   return size === 0 ? "0" : v.toFixed(Math.max(0, Math.min(6, digits - 1 - Math.floor(Math.log10(size)))));
 }
 const withUnit = (text, unit) => (text === "–" || !unit ? text : `${text} ${unit}`);
+const within = (error, unit) => (Number.isFinite(error) ? withUnit("± " + figure(error, 2), unit) : "–");
+const ratio = (v) => (Number.isFinite(v) ? v.toFixed(2) : "–");
 const plural = (n, one, many = one + "s") => `${n} ${n === 1 ? one : many}`;
 
 function fittingsTable(data) {
@@ -64,8 +66,8 @@ function planeFigures(figures) {
   return tableOf(
     [{ name: "Points", numbers: true }, { name: "Mean", numbers: true }, { name: "Stated error", numbers: true }, { name: "Least", numbers: true },
       { name: "Greatest", numbers: true }, { name: "U0", numbers: true }],
-    [[figures.lx.length, withUnit(figure(figures.mean, 4), "lx"), withUnit("± " + figure(figures.meanError, 2), "lx"),
-      withUnit(figure(figures.min), "lx"), withUnit(figure(figures.max), "lx"), figure(figures.u0, 2)]]);
+    [[figures.lx.length, withUnit(figure(figures.mean, 4), "lx"), within(figures.meanError, "lx"),
+      withUnit(figure(figures.min), "lx"), withUnit(figure(figures.max), "lx"), ratio(figures.u0)]]);
 }
 
 const REQUIREMENT_NAMES = { illuminance: "Maintained illuminance, mean", uniformity: "Uniformity U0", ugr: "Glare, UGR",
@@ -80,8 +82,8 @@ function requirementsTable(findings, moved) {
       const verdict = el("span", { class: "verdict " + now.verdict.replace(" ", "-") }, now.verdict);
       const result = el("span", {}, verdict, moved && !now.follows ? " (for the lights as reported)" : "");
       return [finding.where, REQUIREMENT_NAMES[finding.what] ?? finding.what,
-        (finding.at_most ? "≤ " : "≥ ") + withUnit(figure(finding.limit), unit), withUnit(figure(now.value), unit),
-        now.error > 0 ? withUnit("± " + figure(now.error, 2), unit) : "–", withUnit(figure(now.initial), unit), result];
+        (finding.at_most ? "≤ " : "≥ ") + withUnit(String(finding.limit), unit), withUnit(figure(now.value), unit),
+        now.error > 0 ? within(now.error, unit) : "–", withUnit(figure(now.initial), unit), result];
     }));
 }
 
