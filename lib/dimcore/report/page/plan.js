@@ -1,12 +1,12 @@
 // A measuring plane on its plan: false colour, isolines, the room, luminaires by number, scale bar, legend.
-const PLAN_WIDTH = 1400, PLAN_MOST_HEIGHT = 1500, LEGEND_WIDTH = 150, MOST_NUMBERED = 120;
+const PLAN_WIDTH = 1400, PLAN_MOST_HEIGHT = 1500, LEGEND_WIDTH = 150, MOST_NUMBERED = 120, LATTICE = 180;
 const PLAN_PENS = { edge: ["#787878", 2], wall: ["#5a5a5a", 6], window: ["#6eaae1", 8], luminaire: ["#7a3f00", 2.2] };
 
 class PlanPicture {
   constructor(target, colours, top) {
     this.target = target;
     this.plan = target.plan;
-    this.colours = colours;
+    this.colours = colours.map((colour) => colour.map((c) => Math.round(c + 0.25 * (255 - c))));  // to be written on
     this.scale = top;
     const [x0, y0] = this.plan.low, [x1, y1] = this.plan.high;
     this.pxPerM = Math.min((PLAN_WIDTH - LEGEND_WIDTH) / (x1 - x0), PLAN_MOST_HEIGHT / (y1 - y0));
@@ -28,8 +28,7 @@ class PlanPicture {
   }
 
   colourOf(lx) {
-    const colour = this.colours[Math.max(0, Math.min(255, Math.round(255 * lx / this.scale.top)))];
-    return colour.map((c) => Math.round(c + 0.25 * (255 - c)));
+    return this.colours[Math.max(0, Math.min(255, Math.round(255 * lx / this.scale.top)))];
   }
 
   draw(lx) {
@@ -44,7 +43,7 @@ class PlanPicture {
       if (grid[k] < least) least = grid[k];
       if (grid[k] > greatest) greatest = grid[k];
     });
-    const lattice = latticeOf(grid, nu, nv, 240);
+    const lattice = latticeOf(grid, nu, nv, LATTICE);
     c.save();
     this.clipToPlane(c);
     this.paint(c, lattice);
@@ -84,7 +83,8 @@ class PlanPicture {
     const small = this.small.getContext("2d"), image = small.createImageData(nx, ny);
     for (let i = 0; i < values.length; i++) {
       if (Number.isNaN(values[i])) continue;
-      image.data.set(this.colourOf(values[i]), 4 * i);
+      const colour = this.colourOf(values[i]);
+      for (let k = 0; k < 3; k++) image.data[4 * i + k] = colour[k];
       image.data[4 * i + 3] = 255;
     }
     small.putImageData(image, 0, 0);

@@ -80,7 +80,7 @@ class Report {
     document.getElementById("subtitle").textContent =
       `Lighting report by ${data.inputs.program}` + (data.inputs.file ? `, of ${data.inputs.file}` : "");
     this.buildLights();
-    this.summary = el("div", { class: "summary", "aria-live": "polite" });
+    this.summary = el("div", { class: "summary" });
     this.state = el("p", { class: "print-only note" });
     this.main.append(this.summary, this.state);
     this.buildPictures();
@@ -112,6 +112,8 @@ class Report {
     adapts.addEventListener("change", () => { this.adapts = adapts.checked; this.views.forEach((v) => { v.white = this.adapts ? null : v.firstWhite; }); this.later(); });
     form.append(el("div", { class: "buttons" }, button("As reported", () => [...this.start]), button("All full", () => this.start.map(() => 1)),
       button("All off", () => this.start.map(() => 0)), el("label", { for: "adapts" }, adapts, " pictures' exposure follows the light")));
+    this.status = el("p", { class: "status", role: "status" });
+    form.append(this.status);
     form.addEventListener("submit", (event) => event.preventDefault());
     form.hidden = false;
   }
@@ -219,9 +221,9 @@ class Report {
     const { data, factors } = this;
     this.sliders?.forEach(({ slider, output }, g) => {
       slider.value = Math.round(100 * factors[g]);
-      output.textContent = figure(100 * factors[g]) + " %";
+      output.textContent = `${Number((100 * factors[g]).toFixed(1))} %`;
     });
-    this.state.textContent = "Lights: " + (data.groups.map((g, k) => `${g.name} ${figure(100 * factors[k])} %`).join(", ") || "none");
+    this.state.textContent = "Lights: " + (data.groups.map((g, k) => `${g.name} ${Number((100 * factors[k]).toFixed(1))} %`).join(", ") || "none");
     for (const view of this.views) {
       view.draw(factors, data.groups, this.adapts);
       view.firstWhite ??= view.white;
@@ -261,6 +263,7 @@ class Report {
       const f = figuresOf(target, factors);
       items.push([withUnit(figure(f.mean, 4), "lx"), `mean on ${target.name}`], [ratio(f.u0), "U0 there"]);
     }
+    if (this.status) this.status.textContent = items.map(([big, small]) => `${big} ${small}`).join(" · ");
     const watts = data.groups.reduce((sum, g) => (g.daylight ? sum : g.watts === null ? NaN : sum + g.watts), 0);
     if (data.luminaires.places.length > 0) items.push([plural(data.luminaires.places.length, "luminaire"), Number.isFinite(watts) ? `${figure(watts, 4)} W installed` : "power not known"]);
     this.summary.replaceChildren(...items.map(([big, small, style]) => el("div", {}, el("b", { class: style ?? "" }, String(big)), small)));
