@@ -20,7 +20,8 @@ ReportCommand::ReportCommand(Program& program) : program_(program) {
   app.add_option("--require", require_, "Requirements file")->type_name("FILE.toml");
   app.add_option("--set", set_, "Another value in the requirements file, repeatable")
       ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->default_str("");
   app.add_option("--shade", shade_, "Light on the pictures' surfaces, as image has it")
       ->check(CLI::IsMember({"cell", "smooth", "gather"}));
 }
