@@ -77,6 +77,7 @@ class Report {
 
   build() {
     const { data } = this;
+    document.getElementById("title").textContent = data.title;
     document.getElementById("subtitle").textContent =
       `Lighting report by ${data.inputs.program}` + (data.inputs.file ? `, of ${data.inputs.file}` : "");
     this.buildLights();

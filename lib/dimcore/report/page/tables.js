@@ -88,7 +88,7 @@ function requirementsTable(findings, moved) {
 }
 
 function energyTable(data, factors) {
-  const percent = (part, whole) => (whole > 0 ? figure(100 * part / whole, 3) + " %" : "–");
+  const percent = (part, whole) => (whole > 0 ? (100 * part / whole).toFixed(2).replace("-0.00", "0.00") + " %" : "–");
   const rows = data.energy.map((e, g) => [data.groups[g].name, figure(factors[g] * data.groups[g].flux_lm, 4), figure(factors[g] * e.emitted_W, 4),
     percent(e.absorbed_W, e.emitted_W), percent(e.escaped_W, e.emitted_W), percent(e.lost_W, e.emitted_W), percent(e.dropped_W, e.emitted_W),
     e.emitted_W > 0 ? (100 * e.open_W / e.emitted_W).toFixed(3) + " %" : "–"]);
