@@ -11,6 +11,20 @@
 
 namespace dim {
 
+CheckInput check_input(const LuminanceDatabase& database, const Requirements& requirements, DatabaseInput asked) {
+  CheckInput input;
+  const bool daylight_asked =
+      std::any_of(requirements.requirements.begin(), requirements.requirements.end(),
+                  [](const Requirement& r) { return r.daylight_factor_percent.has_value(); });
+  if (daylight_asked && database.sky()) input.outside_lx = outside_lx(database, asked);
+  input.initial = mix_of(database, asked);
+  if (daylight_asked && database.sky()) input.daylight = diffuse_daylight(database, input.initial);
+  // What is asked of the lighting must be met at night.
+  for (std::size_t s = 0; s < input.initial.size(); ++s)
+    if (database.sources()[s].daylight) input.initial[s] = 0.0;
+  return input;
+}
+
 CheckCommand::CheckCommand(Program& program) : program_(program) {
   check_ =
       add_command(program, input_, "check", "Holds a room against requirements: met, not met or undecided",
@@ -28,16 +42,7 @@ bool CheckCommand::run(Exit& status) {
   constexpr std::size_t kMostBytes = 16 << 20;
   const Requirements requirements = read_requirements(read_text_file(require_, kMostBytes), require_, set_);
   const LuminanceDatabase database = open_database(program_, input_);
-  CheckInput input;
-  const bool daylight_asked =
-      std::any_of(requirements.requirements.begin(), requirements.requirements.end(),
-                  [](const Requirement& r) { return r.daylight_factor_percent.has_value(); });
-  if (daylight_asked && database.sky()) input.outside_lx = outside_lx(database, input_);
-  input.initial = mix_of(database, input_);
-  if (daylight_asked && database.sky()) input.daylight = diffuse_daylight(database, input.initial);
-  // What is asked of the lighting must be met at night.
-  for (std::size_t s = 0; s < input.initial.size(); ++s)
-    if (database.sources()[s].daylight) input.initial[s] = 0.0;
+  const CheckInput input = check_input(database, requirements, input_);
   const auto findings = check(database, requirements, input, program_.job());
   write_findings(findings);
   std::vector<Verdict> verdicts;

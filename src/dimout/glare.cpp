@@ -5,12 +5,14 @@
 #include "common/in_file.hpp"
 #include "common/option_checks.hpp"
 #include "dimout/judging.hpp"
+#include "glare/daylit_view.hpp"
 #include "glare/observers.hpp"
 
 namespace dim {
 namespace {
 
 constexpr int kMostDirections = 360;
+constexpr int kFisheye_px = 600;
 
 double whole_degrees(double rad) { return std::round(degrees(rad) * 1e6) / 1e6; }
 
@@ -38,6 +40,9 @@ GlareCommand::GlareCommand(Program& program) : program_(program) {
       ->check(CLI::Range(1, kMostDirections))
       ->needs(observers)
       ->type_name("N");
+  app.add_flag("--daylight", daylight_,
+               "Daylight glare probability, DGP and DGPs, of the sky that --sky asks for, luminaires left out")
+      ->excludes(observers);
   app.add_flag("--worst", worst_, "Only the worst eye and direction")->needs(observers);
 }
 
@@ -45,6 +50,10 @@ bool GlareCommand::run() {
   if (!glare_->parsed()) return false;
   program_.check_output(input_.output, {input_.path});
   const LuminanceDatabase database = open_database(program_, input_);
+  if (daylight_) {
+    of_daylight(database);
+    return true;
+  }
   if (database.luminaires().empty()) program_.say("the room has no luminaires: nothing glares");
   observers_.empty() ? of_view(database) : of_observers(database);
   return true;
@@ -57,6 +66,19 @@ void GlareCommand::of_view(const LuminanceDatabase& database) {
   Table table({"view", "ugr", "background_cd_m2", "sources", "large_sources"});
   table.add({view.name, rating.ugr, rating.background_cd_m2, static_cast<long>(rating.n_sources),
              static_cast<long>(rating.n_large)});
+  write_table(program_, table, input_);
+}
+
+void GlareCommand::of_daylight(const LuminanceDatabase& database) {
+  if (database.sky() && database.sky()->subdivision > 0 && input_.sky.empty())
+    throw UsageError("--daylight needs a sky: --sky cie-12:15000@40,150, for example");
+  const View& view = in_file(input_.path, [&]() -> const View& { return find_view(database.zone(), view_); });
+  const LineOfSight sight = LineOfSight::along(view.focus - view.eye, view.up);
+  auto pixels = fisheye_pixels(sight, kFisheye_px);
+  in_file(input_.path, [&] { DaylitView(database, mix_of(database, input_)).look(view.eye, pixels); });
+  const DaylightGlare glare = daylight_glare(pixels, sight);
+  Table table({"view", "dgp", "dgps", "vertical_lx", "sources"});
+  table.add({view.name, glare.dgp, glare.dgps, glare.vertical_lx, static_cast<long>(glare.n_sources)});
   write_table(program_, table, input_);
 }
 

@@ -1,6 +1,7 @@
 #include "dimout/colour.hpp"
 #include "dimout/daylight.hpp"
 #include "dimout/judging.hpp"
+#include "dimout/report.hpp"
 
 int main(int argc, char** argv) {
   dim::Program program("dimout", "Tables and pictures from a luminance database.",
@@ -14,12 +15,13 @@ int main(int argc, char** argv) {
   dim::ContourCommand contour(program);
   dim::GlareCommand glare(program);
   dim::CheckCommand check(program);
+  dim::ReportCommand report(program);
   dim::AnnualCommand annual(program);
   dim::LevelsCommand levels(program);
   return program.run(argc, argv, [&] {
     dim::Exit status = dim::Exit::done;
     tables.run() || colour.run() || image.run() || contour.run() || glare.run() || check.run(status) ||
-        annual.run() || levels.run();
+        report.run() || annual.run() || levels.run();
     return status;
   });
 }

@@ -6,7 +6,7 @@ setup() { load common; enter_copy; }
 
 @test "every program and command has help with an example and the exit status" {
   for command in dimdis "dimdis check" "dimdis areas" "dimdis viewfactors" "dimdis draw" dimray dimout \
-    "dimout info" "dimout surfaces" "dimout cells" "dimout grid" "dimout colour" "dimout image" dimdbm "dimdbm list" \
+    "dimout info" "dimout surfaces" "dimout cells" "dimout grid" "dimout colour" "dimout image" "dimout report" dimdbm "dimdbm list" \
     "dimdbm show" "dimdbm plot" "dimdbm add" "dimdbm remove" "dimdbm check" "dimdbm export"; do
     run --separate-stderr $command --help
     echo "$command: $output $stderr"

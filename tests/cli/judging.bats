@@ -56,6 +56,89 @@ plane() { awk -F'"' '/^\[\[plane\]\]/ { on = 1 } on && /^name/ { print $2; exit 
   refused 3 "nowhere" dimout glare room.lum --observers nowhere
 }
 
+# A room of 4 x 4 x 3 m with a window to the south, and an eye in its middle that looks at it.
+side_room() {
+  cat > side.zone.toml << 'EOF'
+dim = "zone/1"
+name = "side"
+cell = 0.5
+[finishes]
+wall = { diffuse = 0.5 }
+glass = { kind = "glazing", transmittance = 0.7, ior = 1.52 }
+milk = { kind = "glazing", transmittance = 0.5, angular_law = "diffusing" }
+[[surface]]
+name = "floor"
+finish = "wall"
+vertices = [[0,0,0],[4,0,0],[4,4,0],[0,4,0]]
+[[surface]]
+name = "ceiling"
+finish = "wall"
+vertices = [[0,0,3],[0,4,3],[4,4,3],[4,0,3]]
+[[surface]]
+name = "south"
+finish = "wall"
+vertices = [[0,0,0],[0,0,3],[4,0,3],[4,0,0]]
+[[surface]]
+name = "window"
+on = "south"
+finish = "glass"
+states = { drawn = "milk" }
+vertices = [[0.5,0,1],[0.5,0,2.5],[3.5,0,2.5],[3.5,0,1]]
+[[surface]]
+name = "north"
+finish = "wall"
+vertices = [[0,4,0],[4,4,0],[4,4,3],[0,4,3]]
+[[surface]]
+name = "west"
+finish = "wall"
+vertices = [[0,0,0],[0,4,0],[0,4,3],[0,0,3]]
+[[surface]]
+name = "east"
+finish = "wall"
+vertices = [[4,0,0],[4,0,3],[4,4,3],[4,4,0]]
+[[sensors]]
+name = "eye"
+points = [[2, 2, 1.5, 0, -1, 0], [2, 2, 1.5, 0, 1, 0]]
+[[view]]
+name = "window"
+eye = [2, 2, 1.5]
+focus = [2, 0, 1.5]
+[[view]]
+name = "back"
+eye = [2, 2, 1.5]
+focus = [2, 4, 1.5]
+EOF
+  printf 'dim = "lights/1"\n[sky]\nmodel = "tregenza"\n' > side.lights.toml
+  dimdis side.zone.toml -q --patches 16x32 --point-patches 32x64 -o side.rays
+  dimray side.rays side.lights.toml -q -o side.lum
+}
+
+@test "daylight glare: the picture's vertical illuminance is that of a sensor at the eye" {
+  side_room
+  for sky in uniform:15000 cie-overcast:20000 cie-12:30000@40,150; do
+    dimout grid side.lum --sky $sky -o eye.csv
+    for view in window back; do
+      dimout glare side.lum --view $view --daylight --sky $sky --json -o dgp.json
+      lx=$(awk -F, -v row=$([ $view = window ] && echo 2 || echo 3) 'NR == row { print $9 }' eye.csv)
+      echo "$sky $view: $(jq -c '.[0]' dgp.json), a sensor there $lx lx"
+      jq -e --argjson lx "$lx" '.[0].vertical_lx / $lx | . > 0.97 and . < 1.03' dgp.json
+    done
+  done
+}
+
+@test "daylight glare: a window under a bright sky is one source, and DGP its formula" {
+  side_room
+  dimout glare side.lum --view window --daylight --sky uniform:40000 --json -o dgp.json
+  jq -e '.[0] | .sources == 1 and .dgp > 5.87e-5 * .vertical_lx + 0.16 and ((.dgps - (6.22e-5 * .vertical_lx + 0.184)) | fabs) < 1e-6' dgp.json
+}
+
+@test "daylight glare is refused where it is not known" {
+  side_room
+  refused 2 "needs a sky" dimout glare side.lum --daylight
+  refused 3 "no daylight" dimout glare room.lum --daylight
+  refused 3 "window 'window' scatters" dimout glare side.lum --daylight --sky uniform:10000 --state window=drawn
+}
+
 @test "a glare table has 95 rows, and only of fittings" {
   run --separate-stderr dimdbm ugr troffer-3600
   [ "$status" -eq 0 ]

@@ -8,6 +8,7 @@ namespace dim {
 namespace {
 
 constexpr double kMostAside = 3.0;  // T/R, CIE 117
+constexpr double kGreatest = 16.0;
 
 double above(double ahead, double aside, double height) {
   const double sigma = degrees(std::atan2(std::hypot(aside, height), ahead));
@@ -20,6 +21,20 @@ double below(double ahead, double aside, double height) {
   constexpr double kNear = 0.6, kFar = 3.0;
   const double r = std::hypot(aside, height) / ahead;
   return 1.0 + (r < kNear ? 0.8 : 1.2) * std::min(r, kFar);
+}
+
+// Parts of a direction, in the eye's axes.
+struct EyeAxes {
+  double ahead, aside, height;
+};
+
+EyeAxes eye_axes(const Vec3& towards, const LineOfSight& sight) {
+  return {glm::dot(towards, sight.forward), std::abs(glm::dot(towards, glm::cross(sight.forward, sight.up))),
+          glm::dot(towards, sight.up)};
+}
+
+double guth_index(const EyeAxes& p) {
+  return p.height >= 0.0 ? above(p.ahead, p.aside, p.height) : below(p.ahead, p.aside, p.height);
 }
 
 }  // namespace
@@ -36,10 +51,14 @@ LineOfSight LineOfSight::along(const Vec3& forward, const Vec3& up) {
 }
 
 double position_index(const Vec3& towards, const LineOfSight& sight) {
-  const double ahead = glm::dot(towards, sight.forward), height = glm::dot(towards, sight.up);
-  const double aside = std::abs(glm::dot(towards, glm::cross(sight.forward, sight.up)));
-  if (!(ahead > 0.0) || aside > kMostAside * ahead) return std::numeric_limits<double>::infinity();
-  return height >= 0.0 ? above(ahead, aside, height) : below(ahead, aside, height);
+  const EyeAxes p = eye_axes(towards, sight);
+  if (!(p.ahead > 0.0) || p.aside > kMostAside * p.ahead) return std::numeric_limits<double>::infinity();
+  return guth_index(p);
+}
+
+double whole_view_position_index(const Vec3& towards, const LineOfSight& sight) {
+  const EyeAxes p = eye_axes(towards, sight);
+  return p.ahead > 0.0 ? std::min(guth_index(p), kGreatest) : kGreatest;
 }
 
 }  // namespace dim

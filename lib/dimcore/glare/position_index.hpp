@@ -24,4 +24,8 @@ struct LineOfSight {
 /// @returns infinity where a source does not count: behind the eye, and beyond the table, T/R > 3 to the side
 double position_index(const Vec3& towards, const LineOfSight& sight);
 
+/// The same formulas for all that is seen, at most 16, as evalglare has it for daylight: there is no edge of a table.
+/// @param towards  of the source, not zero, any length
+double whole_view_position_index(const Vec3& towards, const LineOfSight& sight);
+
 }  // namespace dim

@@ -37,6 +37,15 @@ double floor_area_m2(const Zone& zone) {
   return area;
 }
 
+template <class Work>
+auto at_place(const Place& place, Work&& work) -> decltype(work()) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    throw InputError({place, error.problems().front().what, error.problems().front().cure});
+  }
+}
+
 class Checker {
  public:
   Checker(const LuminanceDatabase& database, const Requirements& requirements, const CheckInput& input,
@@ -45,7 +54,7 @@ class Checker {
         zone_(database.zone()),
         input_(input),
         job_(job),
-        maintained_(maintained(requirements)),
+        maintained_(maintained_mix(database, requirements, input.initial)),
         error_share_(stated_error(database, maintained_)) {}
 
   std::vector<Finding> run(const Requirements& requirements) {
@@ -55,29 +64,6 @@ class Checker {
   }
 
  private:
-  Mix maintained(const Requirements& requirements) const {
-    std::vector<double> factor(input_.initial.size(), requirements.maintenance_factor);
-    for (const auto& entry : requirements.maintenance) {
-      const std::string& name = entry.first;
-      const auto named = at_place(requirements.maintenance_place.at(name),
-                                  [&] { return sources_named(name, database_.sources(), "[maintenance]"); });
-      for (const std::size_t s : named) factor[s] = entry.second;
-    }
-    Mix mix = input_.initial;
-    for (std::size_t s = 0; s < mix.size(); ++s)
-      if (!database_.sources()[s].daylight) mix[s] *= factor[s];
-    return mix;
-  }
-
-  template <class Work>
-  static auto at_place(const Place& place, Work&& work) -> decltype(work()) {
-    try {
-      return work();
-    } catch (const InputError& error) {
-      throw InputError({place, error.problems().front().what, error.problems().front().cure});
-    }
-  }
-
   [[noreturn]] static void absent(const Requirement& r, const std::string& kind, const std::string& name,
                                   const std::vector<std::string>& names) {
     throw InputError({r.place, "no " + kind + " '" + name + "' in the room", name_cure(name, names)});
@@ -220,6 +206,20 @@ class Checker {
 };
 
 }  // namespace
+
+Mix maintained_mix(const LuminanceDatabase& database, const Requirements& requirements, const Mix& initial) {
+  std::vector<double> factor(initial.size(), requirements.maintenance_factor);
+  for (const auto& entry : requirements.maintenance) {
+    const std::string& name = entry.first;
+    const auto named = at_place(requirements.maintenance_place.at(name),
+                                [&] { return sources_named(name, database.sources(), "[maintenance]"); });
+    for (const std::size_t s : named) factor[s] = entry.second;
+  }
+  Mix mix = initial;
+  for (std::size_t s = 0; s < mix.size(); ++s)
+    if (!database.sources()[s].daylight) mix[s] *= factor[s];
+  return mix;
+}
 
 double stated_error(const LuminanceDatabase& database, const Mix& mix) {
   double flux_lm = 0.0, error_lm = 0.0;

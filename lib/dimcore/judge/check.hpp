@@ -27,6 +27,10 @@ struct Finding {
 /// inter-reflection and what the energy balance leaves open, of each source by its share.
 double stated_error(const LuminanceDatabase& database, const Mix& mix);
 
+/// Maintained light: each luminaire's factor of the mix times its maintenance factor, once; daylight stays.
+/// @throws InputError  a factor for a source or group that is not there, at its place in the file
+Mix maintained_mix(const LuminanceDatabase& database, const Requirements& requirements, const Mix& initial);
+
 struct CheckInput {
   Mix initial;              ///< the electric light asked about, as new
   Mix daylight;             ///< diffuse daylight alone; empty where the database has none
