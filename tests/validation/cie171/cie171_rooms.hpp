@@ -23,10 +23,36 @@ inline Solution solve_at_defaults(const Zone& zone, const Lights& lights) {
 }
 
 inline DaylitRoom under_sky(const std::string& zone_text, const std::string& sky) {
-  Zone zone = read(zone_text);
-  const PatchGrid patches = NetworkOptions{}.patches;
-  return daylit(std::move(zone), sky, patches);
+  return daylit(zone_text, sky, NetworkOptions{}.patches);
 }
+
+/// What a pane of one index, 1.52, lets through at an angle when it passes a given share at normal incidence: light
+/// to and fro in the slab summed up, half of it polarised either way.
+class ClearPane {
+ public:
+  explicit ClearPane(double at_normal) {
+    double low = 0.0, high = 1.0;
+    for (int k = 0; k < 60; ++k) {
+      inside_ = (low + high) / 2.0;
+      ((*this)(1.0) < at_normal ? low : high) = inside_;
+    }
+  }
+
+  /// @param cosine  of the angle of incidence, above 0
+  double operator()(double cosine) const {
+    const double refracted = std::sqrt(1.0 - (1.0 - cosine * cosine) / (1.52 * 1.52));
+    const double across = std::pow((cosine - 1.52 * refracted) / (cosine + 1.52 * refracted), 2);
+    const double along = std::pow((1.52 * cosine - refracted) / (1.52 * cosine + refracted), 2);
+    const double kept = std::pow(inside_, 1.0 / refracted);
+    return (passed(across, kept) + passed(along, kept)) / 2.0;
+  }
+
+ private:
+  static double passed(double reflected, double kept) {
+    return std::pow(1.0 - reflected, 2) * kept / (1.0 - std::pow(reflected * kept, 2));
+  }
+  double inside_ = 0.5;
+};
 
 /// The room of 5.4, 5.9 and 5.10: black, 4 x 4 x 3 m from the origin, a square opening in the middle of its roof.
 /// An opening of 4 m takes the whole roof.
