@@ -15,17 +15,21 @@
 /// CIE S 011 written down once more: shares nothing with the program but the numbers of the standard.
 namespace dim::test {
 
-/// Relative luminance of CIE general skies 1, 5, 12 and of the traditional overcast sky (16).
+/// Relative luminance of CIE general skies 1 to 15 (CIE S 011/E:2003, table 1) and of the traditional overcast sky (16).
 /// @param sun  unit vector
 inline double relative_luminance(int type, const Vec3& direction, const Vec3& sun) {
   if (!(direction.z > 0.0)) return 0.0;
   if (type == 16) return (1.0 + 2.0 * direction.z) / 3.0;
-  struct {
+  struct Form {
     double a, b, c, d, e;
-  } k{};
-  if (type == 1) k = {4.0, -0.70, 0.0, -1.0, 0.0};
-  if (type == 5) k = {0.0, -1.0, 0.0, -1.0, 0.0};
-  if (type == 12) k = {-1.0, -0.32, 10.0, -3.0, 0.45};
+  };
+  static constexpr Form kForms[15] = {
+      {4.0, -0.70, 0.0, -1.0, 0.0},   {4.0, -0.70, 2.0, -1.5, 0.15},   {1.1, -0.80, 0.0, -1.0, 0.0},
+      {1.1, -0.80, 2.0, -1.5, 0.15},  {0.0, -1.0, 0.0, -1.0, 0.0},     {0.0, -1.0, 2.0, -1.5, 0.15},
+      {0.0, -1.0, 5.0, -2.5, 0.30},   {0.0, -1.0, 10.0, -3.0, 0.45},   {-1.0, -0.55, 2.0, -1.5, 0.15},
+      {-1.0, -0.55, 5.0, -2.5, 0.30}, {-1.0, -0.55, 10.0, -3.0, 0.45}, {-1.0, -0.32, 10.0, -3.0, 0.45},
+      {-1.0, -0.32, 16.0, -3.0, 0.30}, {-1.0, -0.15, 16.0, -3.0, 0.30}, {-1.0, -0.15, 24.0, -2.8, 0.15}};
+  const Form& k = kForms[type - 1];
   const double chi = std::acos(std::clamp(glm::dot(direction, sun), -1.0, 1.0));
   const double gradation = 1.0 + k.a * std::exp(k.b / direction.z);
   return gradation * (1.0 + k.c * (std::exp(k.d * chi) - std::exp(k.d * kPi / 2.0)) + k.e * std::pow(std::cos(chi), 2));
