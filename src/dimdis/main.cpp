@@ -6,7 +6,9 @@ int main(int argc, char** argv) {
                        "file formats: zone/1, rays/2");
   dim::DiscretiseCommand discretise(program);
   dim::GeometryCommands geometry(program);
+  dim::ExportCommand exporter(program);
   return program.run(argc, argv, [&] {
+    if (exporter.run()) return dim::Exit::done;
     dim::Exit status = dim::Exit::done;
     return geometry.run(status) ? status : discretise.run();
   });

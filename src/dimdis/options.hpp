@@ -67,4 +67,19 @@ class GeometryCommands {
   CLI::App *check_, *areas_, *view_factors_, *draw_;
 };
 
+/// dimdis export ZONE --to radiance|obj
+class ExportCommand {
+ public:
+  explicit ExportCommand(Program& program);
+  /// True when it was asked for.
+  bool run();
+
+ private:
+  Program& program_;
+  ZoneInput input_;
+  std::string format_, points_;
+  std::string output_ = "-";
+  CLI::App* command_;
+};
+
 }  // namespace dim
