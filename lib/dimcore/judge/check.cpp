@@ -124,18 +124,26 @@ class Checker {
     return figures;
   }
 
+  // A cell's own error is not known: the least is taken to be off by the same share as the mean.
+  std::vector<Figures> of_all_surfaces(const Mix& mix) const {
+    const auto surfaces = surface_figures(database_.cells(), cell_appearance(database_, database_.cells(), mix));
+    std::vector<double> mean_lx;
+    for (const auto& f : surfaces) mean_lx.push_back(f.illuminance_mean_lx);
+    const auto errors = surface_errors(database_, mix, mean_lx);
+    std::vector<Figures> figures;
+    for (std::size_t s = 0; s < surfaces.size(); ++s) {
+      const double mean = mean_lx[s], u0 = mean > 0.0 ? surfaces[s].illuminance_min_lx / mean : 0.0;
+      const double error_lx = errors ? (*errors)[s].total_lx() : error_share_ * mean;
+      figures.push_back({mean, u0, error_lx, u0_error(u0, mean, u0 * error_lx, error_lx)});
+    }
+    return figures;
+  }
+
   void of_surfaces(const Requirement& r) {
-    const auto kept =
-        surface_figures(database_.cells(), cell_appearance(database_, database_.cells(), maintained_));
-    const auto as_new =
-        surface_figures(database_.cells(), cell_appearance(database_, database_.cells(), input_.initial));
-    const auto figures = [&](const SurfaceFigures& f) {
-      const double u0 = f.illuminance_mean_lx > 0.0 ? f.illuminance_min_lx / f.illuminance_mean_lx : 0.0;
-      return Figures{f.illuminance_mean_lx, u0, error_share_ * f.illuminance_mean_lx, error_share_ * (1.0 + u0)};
-    };
+    const auto kept = of_all_surfaces(maintained_), as_new = of_all_surfaces(input_.initial);
     for (const auto& name : r.surfaces) {
       const std::size_t s = surface_named(r, name);
-      add_light(r, name, figures(kept[s]), figures(as_new[s]));
+      add_light(r, name, kept[s], as_new[s]);
       add_colour(r, name,
                  [&](const LightColours& c) { return c.on_surfaces(database_.cells(), maintained_)[s].ra; });
       add_power(r, name);
@@ -169,12 +177,24 @@ class Checker {
         percent * daylight.mean_error_lx);
   }
 
+  // Of the light that eyes are adapted to: the surfaces' errors over their light.
+  double background_share() const {
+    const auto surfaces = of_all_surfaces(input_.initial);
+    double lx = 0.0, error_lx = 0.0;
+    for (std::size_t s = 0; s < surfaces.size(); ++s) {
+      const double area_m2 = zone_.surfaces[s].polygon.area_m2();
+      lx += area_m2 * surfaces[s].mean_lx;
+      error_lx += area_m2 * surfaces[s].mean_error_lx;
+    }
+    return lx > 0.0 ? error_lx / lx : error_share_;
+  }
+
   void add_glare(const Requirement& r, const PointSet& set) {
     const GlareField field(database_, input_.initial);
     const auto ratings = observer_ratings(zone_, field, set, {r.eye_height_m, r.directions}, job_);
     const auto* worst = worst_of(ratings);
     const double value = worst ? worst->rating.ugr : kNone;
-    add(r.plane, "ugr", "", r.ugr, true, value, value, kUgrPerShare * error_share_);
+    add(r.plane, "ugr", "", r.ugr, true, value, value, kUgrPerShare * background_share());
     // Eyes that no source dazzles are content.
     const bool nothing_seen =
         std::any_of(ratings.begin(), ratings.end(), [](const auto& o) { return o.rating.n_sources == 0; });
