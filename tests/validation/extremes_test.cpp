@@ -25,18 +25,16 @@ std::vector<double> point_direct_lx(const Zone& zone, const Lights& lights) { re
 
 }  // namespace
 
-TEST_CASE("Inverse square from a micrometre to a thousand kilometres", "[extremes][validation]") {
+TEST_CASE("Inverse square from a micrometre to a kilometre", "[extremes][validation]") {
   std::vector<MeasuringPoint> points;
   std::vector<double> distances_m;
-  for (double r = 1e-6; r < 2e6; r *= 10.0) {
+  for (double r = 1e-6; r < 2e3; r *= 10.0) {
     distances_m.push_back(r);
     points.push_back({{0, 0, -r}, {0, 0, 1}});
   }
   const auto lx = point_direct_lx(points_alone(points), point_lamp({0, 0, 0}, 100.0));
   for (std::size_t p = 0; p < lx.size(); ++p) {
     CAPTURE(distances_m[p]);
-    // The little floor hides nothing but what lies straight below it.
-    if (distances_m[p] > 5e3) continue;
     CHECK(static_cast<double>(lx[p]) == Approx(100.0 / (distances_m[p] * distances_m[p])).epsilon(1e-6));
   }
 }
@@ -104,8 +102,8 @@ TEST_CASE("One patch, one cell a face, a source a millimetre from a wall: light 
   CHECK(total(cells, cell_lx(solution)) == Approx(400 * kPi / 0.5).epsilon(1e-2));  // one ray a cell: 0.58 %
 }
 
-// Known fault: direct light is right, with reflections +23 % with cells of 0.25 m, two hundred and fifty times as wide as the room is high.
-TEST_CASE("A room a millimetre high keeps its light", "[extremes][property][!mayfail]") {
+// Cells are two hundred and fifty times as wide as it is high: what their size does must not be mistaken for light.
+TEST_CASE("A room a millimetre high keeps its light", "[extremes][property]") {
   const Zone zone = box_zone({4, 3, 1e-3}, 0.5, 0.25);
   const Cells cells(zone);
   const Solution solution = solve(zone, point_lamp({0.3, 0.2, 0.0}, 100.0), network_of(zone, {8, 16}));

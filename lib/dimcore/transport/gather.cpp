@@ -250,15 +250,39 @@ class Block {
       if (k < kChangeReflections) propagation_.reflect(sent_change_, change);
     }
     count(kChangeReflections);
+    for (double& x : change) x *= -kOfTwiceTheSize;
+    keep_flux(change);
     for (std::size_t c = 0; c < n_; ++c) {
       const auto column = result_.cell.column(first_ + c);
-      for (std::size_t i = 0; i < cells_.size(); ++i) {
-        const double light_lx = irradiance_[i * width_ + c] - kOfTwiceTheSize * change[i * width_ + c];
-        column[i] = static_cast<Real>(std::max(light_lx, std::min(direct(i, c), irradiance_[i * width_ + c])));
-      }
+      for (std::size_t i = 0; i < cells_.size(); ++i)
+        column[i] = static_cast<Real>(irradiance_[i * width_ + c] + change[i * width_ + c]);
     }
-    for (double& x : change) x *= -kOfTwiceTheSize;
     copy_means(change, result_.surface_cells);
+  }
+
+  // Cells cannot lose more than they have, and what they do not lose others do not gain.
+  void keep_flux(std::vector<double>& correction) {
+    const auto sums = sums_.template add<double>(2, [&](std::size_t first, std::size_t last, double* into) {
+      for (std::size_t i = first; i < last; ++i) {
+        for (std::size_t c = 0; c < width_; ++c) {
+          double& x = correction[i * width_ + c];
+          const double least = std::min(direct(i, c) - irradiance_[i * width_ + c], 0.0), cut = std::max(x, least);
+          into[c] += propagation_.area_m2(i) * (cut - x);
+          into[width_ + c] += propagation_.area_m2(i) * std::max(cut, 0.0);
+          x = cut;
+        }
+      }
+    });
+    gains_.assign(width_, 1.0);
+    for (std::size_t c = 0; c < width_; ++c) {
+      if (sums[c] > 0.0) gains_[c] = std::max(0.0, 1.0 - sums[c] / sums[width_ + c]);
+    }
+    sums_.each([&](std::size_t i) {
+      for (std::size_t c = 0; c < width_; ++c) {
+        double& x = correction[i * width_ + c];
+        if (x > 0.0) x *= gains_[c];
+      }
+    });
   }
 
   void copy_means(const std::vector<double>& of_cells, Columns<Real>& to) const {
@@ -280,7 +304,8 @@ class Block {
     for (std::size_t c = 0; c < n_; ++c) {
       const auto column = result_.point_cells.column(first_ + c);
       for (std::size_t p = 0; p < result_.point.n_rows(); ++p) {
-        const double correction = std::max(-kOfTwiceTheSize * change[p * width_ + c], -arriving[p * width_ + c]);
+        double correction = std::max(-kOfTwiceTheSize * change[p * width_ + c], -arriving[p * width_ + c]);
+        if (correction > 0.0) correction *= gains_[c];
         arriving[p * width_ + c] += correction;
         column[p] = static_cast<Real>(correction);
       }
@@ -327,6 +352,7 @@ class Block {
   const CellSums& sums_;
   ConjugateResiduals cycle_;
   std::vector<double> irradiance_, residual_;  // [n_cells, width]
+  std::vector<double> gains_;                  // [width] share that is left of what the correction adds
   std::vector<double> sent_change_;            // [n_cells, width] of irradiance that twice as large cells send
   std::vector<Column> columns_;                // [width]
 };
