@@ -37,11 +37,11 @@ const char* dataset_of(TransferPart part) {
     case TransferPart::point_direct_deviation:
       return "/error/point_direct_deviation";
     case TransferPart::surface_cells:
-      return "/error/surface_cells";
+      return "/surface_error/cells";
     case TransferPart::surface_rays:
-      return "/error/surface_rays";
+      return "/surface_error/rays";
     case TransferPart::surface_direct_deviation:
-      return "/error/surface_direct_deviation";
+      return "/surface_error/direct_deviation";
   }
   throw InternalError("part of a solution of no name");
 }
@@ -264,9 +264,9 @@ const FileSchema& lum_schema() {
         {"/error/point_cell_rays", "float32", "sources, classes, points", "lx", Allowed::finite, {}, true, true},
         {"/error/point_direct_deviation", "float32", "sources, direct_classes, points", "lx", Allowed::not_negative, {},
          true, true},
-        {"/error/surface_cells", "float32", "sources, classes, surfaces", "lx", Allowed::finite, {}, true, true},
-        {"/error/surface_rays", "float32", "sources, classes, surfaces", "lx", Allowed::finite, {}, true, true},
-        {"/error/surface_direct_deviation", "float32", "sources, direct_classes, surfaces", "lx", Allowed::not_negative,
+        {"/surface_error/cells", "float32", "sources, classes, surfaces", "lx", Allowed::finite, {}, true, true},
+        {"/surface_error/rays", "float32", "sources, classes, surfaces", "lx", Allowed::finite, {}, true, true},
+        {"/surface_error/direct_deviation", "float32", "sources, direct_classes, surfaces", "lx", Allowed::not_negative,
          {}, true, true},
         {"/photometry/intensity", "float32", "photometries, 73, 181", "cd", Allowed::not_negative},
         {"/spectra/of_source", "uint32", "sources", "1", Allowed::index, "spectra"},
