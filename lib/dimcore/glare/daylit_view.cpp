@@ -47,15 +47,20 @@ void DaylitView::find_outside(const Mix& mix) {
   for (std::size_t s = 0; s < mix.size(); ++s) {
     const Source& source = database_.sources()[s];
     if (!source.daylight || mix[s] == 0.0) continue;
-    const bool ground = source.daylight->part == DaylightPart::ground;
     Outside& outside = outside_[source.group];
-    outside.patch_cd_m2.resize(patches_.size() + 1, 0.0);
-    outside.patch_cd_m2[ground ? patches_.ground() : static_cast<std::size_t>(source.daylight->patch)] += mix[s];
+    outside.column_cd_m2.resize(patches_.n_columns(), 0.0);
+    outside.column_cd_m2[column_of(*source.daylight)] += mix[s];
     outside.state = source.daylight->state;
     outside.as_it_stands = source.daylight->as_it_stands;
     outside.class_share.clear();
     for (const Vec3& xyz : source.xyz_by_class(database_.classes())) outside.class_share.push_back(xyz.y);
   }
+}
+
+std::size_t DaylitView::column_of(const DaylightOrigin& origin) const {
+  if (origin.part == DaylightPart::ground) return patches_.ground();
+  const auto number = static_cast<std::size_t>(origin.patch);
+  return origin.part == DaylightPart::ramp ? patches_.ramp(number) : number;
 }
 
 void DaylitView::find_panes() {
@@ -93,7 +98,15 @@ double DaylitView::through(std::size_t surface, const Vec3& at, const Vec3& dire
   double share = 0.0;
   for (std::size_t q = 0; q < pane.transmission.size(); ++q)
     share += pane.outside->class_share[q] * pane.transmission[q].at(std::min(1.0, cosine));
-  return share * pane.outside->patch_cd_m2[patches_.patch_of(to_sky(direction, north_rad_))];
+  const auto& columns = pane.outside->column_cd_m2;
+  const Vec3 from_sky = to_sky(direction, north_rad_);
+  const std::size_t patch = patches_.patch_of(from_sky);
+  double cd_m2 = columns[patch];
+  if (patch != patches_.ground()) {
+    const std::size_t band = patches_.band_of(patch);
+    if (band < patches_.n_ramps()) cd_m2 += columns[patches_.ramp(band)] * patches_.ramp_cd_m2(band, from_sky.z);
+  }
+  return share * cd_m2;
 }
 
 double DaylitView::luminance_cd_m2(const Vec3& eye, const Vec3& direction) const {

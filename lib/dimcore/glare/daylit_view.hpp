@@ -14,7 +14,7 @@
 namespace dim {
 
 /// The light of day as an eye in a room sees it: surfaces with the luminance of their cells, the sky and the ground
-/// through glazings, each patch of the sky even (with the sun's light, which the mix spreads over the patches around
+/// through glazings, each patch of the sky even but for its ramp (with the sun's light, which the mix spreads over the patches around
 /// it). External obstructions are black. Luminaires have no part in it.
 class DaylitView {
  public:
@@ -29,7 +29,7 @@ class DaylitView {
  private:
   // A group of windows as the mix has it.
   struct Outside {
-    std::vector<double> patch_cd_m2;  // [n_patches + 1], the ground last
+    std::vector<double> column_cd_m2;  // of the patches' columns, ramps too
     std::string state;
     bool as_it_stands = true;
     std::vector<double> class_share;  // [n_classes] of the light's Y
@@ -41,6 +41,7 @@ class DaylitView {
   };
 
   void find_outside(const Mix& mix);
+  std::size_t column_of(const DaylightOrigin& origin) const;
   void find_panes();
   double luminance_cd_m2(const Vec3& eye, const Vec3& direction) const;
   double through(std::size_t surface, const Vec3& at, const Vec3& direction) const;
