@@ -270,6 +270,10 @@ void Program::stage(const std::string& name) {
   clock_->stage_start = StageClock::Clock::now();
 }
 
+int Program::n_threads() const {
+  return threads_ > 0 ? threads_ : static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+}
+
 double Program::elapsed_s() const { return StageClock::seconds(clock_->start); }
 
 void Program::write_stats() {

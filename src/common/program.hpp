@@ -58,6 +58,8 @@ class Program {
 
   /// Starts the clock of a stage, ending the one before.
   void stage(const std::string& name);
+  /// Threads that long work may use.
+  int n_threads() const;
   /// Seconds since the program began.
   double elapsed_s() const;
   /// What --stats writes, to be added to.

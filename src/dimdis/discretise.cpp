@@ -50,6 +50,19 @@ DiscretiseCommand::DiscretiseCommand(Program& program) : program_(program) {
   program.add_common_options(app);
 }
 
+// Of work that takes more than a few seconds.
+void DiscretiseCommand::predict(std::size_t n_cells, std::size_t n_points, const NetworkOptions& options) const {
+  constexpr double kRaysPerSecond = 4e6;  // of one thread, in rooms of 100 to 5,000 surfaces
+  constexpr double kWorthSaying_s = 3.0;
+  const double n_rays = static_cast<double>(n_cells * options.patches.n_patches() +
+                                            n_points * options.point_patches.n_patches());
+  const double seconds = n_rays / (kRaysPerSecond * program_.n_threads());
+  if (seconds < kWorthSaying_s) return;
+  program_.say(fmt::format("{} cells, {:.3g} million rays: about {:.2g} s on {}, {:.2g} GB", n_cells, n_rays / 1e6, seconds,
+                           counted(static_cast<std::size_t>(program_.n_threads()), "thread"),
+                           network_bytes(n_cells, n_points, options) / 1e9));
+}
+
 Exit DiscretiseCommand::run() {
   if (input_.path.empty()) throw UsageError("no zone file given; see 'dimdis --help'");
   if (output_.empty()) throw UsageError("no output given; use -o ROOM.rays, or -o - for a pipe");
@@ -74,6 +87,7 @@ Exit DiscretiseCommand::run() {
   check_network_fits(zone, options, job);
   program_.stage("cells");
   const Cells cells(zone);
+  predict(cells.size(), zone.points.size(), options);
   program_.stage("rays");
   Network network = build_network(zone, cells, options, job);
   if (!accuracy_.empty()) network.accuracy = share_of(accuracy_);

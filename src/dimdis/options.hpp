@@ -5,6 +5,7 @@
 
 #include "common/program.hpp"
 #include "geometry/view_factors.hpp"
+#include "network/network.hpp"
 #include "scene/zone.hpp"
 
 namespace dim {
@@ -34,6 +35,8 @@ class DiscretiseCommand {
   Exit run();
 
  private:
+  void predict(std::size_t n_cells, std::size_t n_points, const NetworkOptions& options) const;
+
   Program& program_;
   ZoneInput input_;
   std::string output_;

@@ -1,4 +1,4 @@
-# tests/bench/tradeoff's CSV as SVG: RMS error against seconds of dimdis and dimray, both logarithmic, a line a scene
+# tests/bench/tradeoff's CSV as SVG: RMS error against processor seconds of dimdis and dimray, both logarithmic, a line a scene
 # along the sizes of cells, a dot a setting.
 function field(line, n,    rest, i, value) {
   rest = line
@@ -18,7 +18,7 @@ BEGIN {
   for (i = 1; i <= n; i++) printf "<path d=\"M%.1f 30V410\" stroke=\"#ddd\"/><text x=\"%.1f\" y=\"428\" text-anchor=\"middle\">%s</text>\n", x(tick[i]), x(tick[i]), tick[i]
   n = split("0.02 0.05 0.1 0.2 0.5 1 2 5 10 20 50", tick, " ")
   for (i = 1; i <= n; i++) printf "<path d=\"M70 %.1fH670\" stroke=\"#ddd\"/><text x=\"62\" y=\"%.1f\" text-anchor=\"end\">%s</text>\n", y(tick[i]), y(tick[i]) + 4, tick[i]
-  print "<text x=\"370\" y=\"455\" text-anchor=\"middle\">seconds of dimdis and dimray</text>"
+  print "<text x=\"370\" y=\"455\" text-anchor=\"middle\">processor seconds of dimdis and dimray</text>"
   print "<text transform=\"translate(20 220) rotate(-90)\" text-anchor=\"middle\">RMS error of points, %</text>"
 }
 NR == 1 { next }

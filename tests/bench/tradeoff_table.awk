@@ -23,7 +23,7 @@ function series(prefix, finer,    i, line, first, last) {  # halvings between fi
   return line
 }
 END {
-  printf "| setting"; for (i = 1; i <= n_scenes; i++) printf " | %s: RMS %%, s, MB", scenes[i]; print " |"
+  printf "| setting"; for (i = 1; i <= n_scenes; i++) printf " | %s: RMS %%, CPU s, MB", scenes[i]; print " |"
   printf "|---"; for (i = 1; i <= n_scenes; i++) printf "|---"; print "|"
   for (k = 1; k <= n_settings; k++) {
     printf "| `%s`", settings[k]

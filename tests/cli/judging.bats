@@ -186,6 +186,13 @@ EOF
   refused 2 "excludes" dimray room.rays room.lights.toml --budget 1s --accuracy 1% -o x.lum
 }
 
+@test "long work is predicted before it begins" {
+  run --separate-stderr dimdis "$DIM_SOURCE/examples/02-office/office.zone.toml" --patches 64x64 -j 1 -o long.rays
+  [[ "$stderr" == *"cells, "*" million rays: about "*" s on 1 thread, "*" GB"* ]]
+  run --separate-stderr dimdis room.zone.toml -o short.rays
+  [[ "$stderr" != *"million rays"* ]]
+}
+
 @test "info says what each plane's stated error consists of" {
   run --separate-stderr dimout info room.lum
   [[ "$output" == *"stated at 95 % of the points"*"workplane"*"bound: light between surfaces left out"* ]]
