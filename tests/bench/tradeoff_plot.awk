@@ -8,13 +8,13 @@ function field(line, n,    rest, i, value) {
   }
   return value
 }
-function x(seconds) { return 70 + 600 * (log(seconds) - log(0.05)) / (log(50) - log(0.05)) }
+function x(seconds) { return 70 + 600 * (log(seconds) - log(0.05)) / (log(200) - log(0.05)) }
 function y(percent) { return 30 + 380 * (log(50) - log(percent)) / (log(50) - log(0.02)) }
 BEGIN {
   split("#1f5fa8 #c2410c #15803d #7e22ce #a16207 #0e7490 #be123c", colour, " ")
   print "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 820 470\" font-family=\"sans-serif\" font-size=\"12\">"
   print "<rect width=\"820\" height=\"470\" fill=\"white\"/>"
-  n = split("0.05 0.1 0.2 0.5 1 2 5 10 20 50", tick, " ")
+  n = split("0.05 0.1 0.2 0.5 1 2 5 10 20 50 100 200", tick, " ")
   for (i = 1; i <= n; i++) printf "<path d=\"M%.1f 30V410\" stroke=\"#ddd\"/><text x=\"%.1f\" y=\"428\" text-anchor=\"middle\">%s</text>\n", x(tick[i]), x(tick[i]), tick[i]
   n = split("0.02 0.05 0.1 0.2 0.5 1 2 5 10 20 50", tick, " ")
   for (i = 1; i <= n; i++) printf "<path d=\"M70 %.1fH670\" stroke=\"#ddd\"/><text x=\"62\" y=\"%.1f\" text-anchor=\"end\">%s</text>\n", y(tick[i]), y(tick[i]) + 4, tick[i]
