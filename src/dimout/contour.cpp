@@ -43,6 +43,11 @@ void add_figures(double mean, double min, double max, ContourMap& map) {
   if (mean > 0.0) map.figures.emplace_back("U0", fmt::format("{:.2f}", min / mean));
 }
 
+// What the error is stated not to exceed: of 95 % of the points, or of a surface's mean.
+void add_stated(double share, ContourMap& map) {
+  if (share > 0.0) map.figures.emplace_back("error", fmt::format("{:.2g} %", 100.0 * share));
+}
+
 }  // namespace
 
 ContourCommand::ContourCommand(Program& program) : program_(program) {
@@ -128,6 +133,8 @@ ContourMap ContourCommand::map_of_plane(const LuminanceDatabase& database) {
         {{input_.path, 0, 0}, "no point of '" + name + "' is inside the room", "move the plane"});
   add_figures(statistics.mean_lx, statistics.min_lx, statistics.max_lx, map);
   map.figures.emplace_back("points", fmt::format("{}", statistics.n_points - statistics.n_left_out));
+  if (const auto errors = point_errors(database, asked))
+    add_stated(stated_share(*errors, values, zone.points, set).total, map);
   map.below = plan_of_room(zone, database.luminaires(), map.plan, program_.job());
   const double px_per_m = size_px_ / std::max(map.plan.width_m(), map.plan.height_m());
   const auto symbols = luminaire_symbols(database.luminaires(), map.plan, kSymbol_px / px_per_m);
@@ -145,15 +152,22 @@ ContourMap ContourCommand::map_of_surface(const LuminanceDatabase& database) {
   if (found == zone.surfaces.end())
     throw InputError({{input_.path, 0, 0}, "no surface '" + surface_ + "'", name_cure(surface_, names)});
   const auto index = static_cast<std::size_t>(found - zone.surfaces.begin());
-  const auto appearance = cell_appearance(database, database.cells(), mix_of(database, input_));
+  const Mix mix = mix_of(database, input_);
+  const auto appearance = cell_appearance(database, database.cells(), mix);
   ContourMap map;
   map.polygon = found->polygon;
   map.values = values_on_surface(database.cells(), found->polygon, index, appearance.illuminance_lx);
   map.quantity = "Illuminance";
   map.unit = "lx";
   set_shared(database, surface_, map);
-  const auto figures = surface_figures(database.cells(), appearance)[index];
+  const auto of_all = surface_figures(database.cells(), appearance);
+  const auto& figures = of_all[index];
   add_figures(figures.illuminance_mean_lx, figures.illuminance_min_lx, figures.illuminance_max_lx, map);
+  std::vector<double> mean_lx;
+  for (const auto& f : of_all) mean_lx.push_back(f.illuminance_mean_lx);
+  const auto errors = surface_errors(database, mix, mean_lx);
+  if (errors && figures.illuminance_mean_lx > 0.0)
+    add_stated((*errors)[index].total_lx() / figures.illuminance_mean_lx, map);
   map.below = plan_of_surface(zone, index, map.plan);
   return map;
 }
