@@ -114,12 +114,14 @@ Exit GeometryCommands::draw() {
   program_.check_output(output_, {input_.path});
   const Zone zone = read_zone(program_, input_);
   const View& view = in_file(input_.path, [&]() -> const View& { return find_view(zone, view_); });
-  const Camera camera{view.eye, view.focus, view.up, view.fov_rad, view.width, view.height};
+  if (view.round())
+    throw UsageError(fmt::format("--view '{}' is of kind {}, in which edges are curved: lines cannot be drawn of it; see dimout image",
+                                 view.name, view_kind_words()[static_cast<std::size_t>(view.kind)]));
   auto plates = plates_of(zone);
   // From outside the camera looks through the near walls, as into a cut-away model.
   for (std::size_t s = 0; s < plates.size(); ++s) plates[s].open_back |= zone.surfaces[s].bounding;
   program_.stage("lines");
-  const auto lines = hidden_lines(plates, zone.diameter_m, camera, program_.job());
+  const auto lines = hidden_lines(plates, zone.diameter_m, camera_of(view), program_.job());
   program_.stage(kWritingStage);
   write_file(output_, to_svg(lines, view.width, view.height, zone.name + ", view " + view.name));
   return Exit::done;

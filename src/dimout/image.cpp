@@ -10,6 +10,7 @@
 #include "common/option_checks.hpp"
 #include "dimout/commands.hpp"
 #include "image/picture_module.hpp"
+#include "image/radiance_view.hpp"
 #include "image/render.hpp"
 #include "image/writer.hpp"
 
@@ -61,7 +62,7 @@ bool is_black(const Raster& raster) {
 }  // namespace
 
 ImageCommand::ImageCommand(Program& program) : program_(program) {
-  image_ = add_command(program, input_, "image", "Perspective picture: PNG, Radiance HDR or OpenEXR",
+  image_ = add_command(program, input_, "image", "Picture of a view: PNG, Radiance HDR or OpenEXR",
                        "dimout image office.lum --view door -o door.png\n"
                        "  dimout image office.lum --view plan --tone falsecolour --range 0:1000 -o lux.png");
   auto& app = *image_;
@@ -109,6 +110,8 @@ bool ImageCommand::run() {
 View ImageCommand::chosen_view(const Zone& zone) const {
   View view = in_file(input_.path, [&] { return find_view(zone, view_); });
   if (!size_.empty()) std::tie(view.width, view.height) = parse_size(size_);
+  if (view.round() && view.width != view.height)
+    throw UsageError(fmt::format("--size '{}': view '{}' is round, its picture is square", size_, view.name));
   return view;
 }
 
@@ -146,6 +149,7 @@ void ImageCommand::render() {
   const Cells& cells = database.cells();
   RenderOptions options;
   options.view = chosen_view(database.zone());
+  picture.notes.radiance_view = radiance_view(options.view, database.zone().origin_m);
   options.samples = samples_;
   options.shading =
       shade_ == "cell" ? Shading::cell : (shade_ == "smooth" ? Shading::smooth : Shading::gather);

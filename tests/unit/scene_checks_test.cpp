@@ -284,6 +284,34 @@ TEST_CASE("A view straight down has +y at the top of the picture", "[scene][unit
   CHECK(zone.views[0].up == Vec3(0, 1, 0));
 }
 
+TEST_CASE("A plan and an elevation without a width show the whole room", "[scene][unit]") {
+  const Zone zone = read(kRoom + "[[view]]\nname = \"plan\"\nkind = \"plan\"\neye = [3,2,2.9]\nfocus = [3,2,0]\nsize = [100,100]\n"
+                                 "[[view]]\nname = \"south\"\nkind = \"elevation\"\neye = [3,2,1.5]\nfocus = [3,4,1.5]\nwidth = 9\n"
+                                 "[[view]]\nname = \"eye\"\nkind = \"fisheye\"\neye = [3,2,1.5]\nfocus = [3,4,1.5]\n");
+  REQUIRE(zone.views.size() == 3);
+  CHECK(zone.views[0].kind == ViewKind::plan);
+  CHECK(zone.views[0].up == Vec3(0, 1, 0));
+  CHECK(zone.views[0].width_m == Approx(1.04 * 6.0));  // the room is 6 m long
+  CHECK(zone.views[1].width_m == 9.0);
+  CHECK(zone.views[2].width == 1024);
+  CHECK(zone.views[2].height == 1024);
+}
+
+TEST_CASE("What a kind of view cannot be is refused", "[scene][unit]") {
+  const auto view = [](const std::string& more) {
+    return with("[[view]]\nname = \"v\"\neye = [1,1,1]\nfocus = [1,2,1.5]\n" + more);
+  };
+  check_one(view("kind = \"fish-eye\"\nwidth = 3\n"),
+            "35:8 view 'v': kind must be one of perspective, plan, elevation, fisheye, hemispherical, not 'fish-eye' | did "
+            "you mean 'fisheye'?");
+  check_one(view("width = 3\n"), "35:9 view 'v': only plans and elevations have a width | give fov, or leave it out");
+  check_one(view("kind = \"fisheye\"\nfov = 90\n"),
+            "36:7 view 'v': a view of kind fisheye has no fov | leave it out: it shows 180 degrees");
+  check_one(view("kind = \"fisheye\"\nsize = [64,48]\n"), "36:8 view 'v': a round picture is square | write size = [48, 48]");
+  check_one(view("kind = \"plan\"\n"), "34:9 view 'v': a plan looks straight down or up | give focus the x and y of eye");
+  check_one(view("kind = \"elevation\"\n"), "34:9 view 'v': an elevation looks level | give focus the height of eye");
+}
+
 TEST_CASE("All problems of a file come together", "[scene][unit]") {
   const auto problems = with(surface("a", "vertices = [[1,1,1],[2,1,1]]") + surface("b", "vertices = 3") +
                              "[[box]]\nname = \"c\"\nfinish = \"none\"\ncorner = [1,1,1]\nsize = [1,1,1]\n");

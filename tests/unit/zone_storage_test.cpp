@@ -103,6 +103,8 @@ void check_same(const Zone& a, const Zone& b) {
     CHECK(v.focus == w.focus);
     CHECK(v.up == w.up);
     CHECK(v.fov_rad == w.fov_rad);
+    CHECK(v.kind == w.kind);
+    CHECK(v.width_m == w.width_m);
     CHECK(v.width == w.width);
     CHECK(v.height == w.height);
   }
@@ -242,6 +244,17 @@ TEST_CASE("Every property of a finish comes back", "[scene][unit]") {
   check_same(zone, stored_and_loaded(zone, folder / "a.rays"));
 }
 
+TEST_CASE("Every kind of view comes back", "[scene][unit]") {
+  const Folder folder;
+  Zone zone = box_zone({2, 3, 4}, 0.5, 1.0);
+  for (const auto kind : {ViewKind::perspective, ViewKind::plan, ViewKind::elevation, ViewKind::fisheye, ViewKind::hemispherical}) {
+    View view{"v" + std::to_string(zone.views.size()), {0, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1.0, 64, 64, kind, 0.0};
+    if (view.parallel()) view.width_m = 7.25;
+    zone.views.push_back(view);
+  }
+  check_same(zone, stored_and_loaded(zone, folder / "a.rays"));
+}
+
 TEST_CASE("An empty list of points, planes and views comes back empty", "[scene][unit]") {
   const Folder folder;
   check_same(box_zone({2, 3, 4}, 0.5, 1.0),
@@ -298,6 +311,10 @@ TEST_CASE("A forged zone is refused in one line, whatever does not hold together
   seen("1.0", "7.0", "views[0].fov_rad is 7");
   seen("[64,48]", "[64,0]", "views[0].size[1] is 0");
   seen("[64,48]", "[64,1e9]", "views[0].size[1]");
+  seen("1.0", "1.0,\"kind\":\"plant\"", "views[0].kind is 'plant'");
+  seen("1.0", "1.0,\"kind\":\"plan\"", "width_m");
+  seen("1.0", "1.0,\"kind\":\"plan\",\"width_m\":0", "views[0].width_m is 0");
+  seen("1.0", "1.0,\"kind\":\"fisheye\"", "views[0].size is not square");
   seen("[1,0,1]", "[0,0,1]", "views[0] looks nowhere");
   CHECK_FALSE(with([](Forgery& f) { f.description = "{"; }).empty());
   CHECK_FALSE(with([](Forgery& f) { f.description = R"({"name":3})"; }).empty());

@@ -7,9 +7,7 @@
 #include "base/error.hpp"
 
 namespace dim {
-namespace {
 
-// Of the wanted up and its stand-ins, the first that does not run along the view.
 Vec3 upright(const Vec3& forward, const Vec3& up) {
   constexpr double kAlong = 1e-9;
   for (const Vec3& candidate : {up, Vec3(0, 1, 0), Vec3(1, 0, 0)}) {
@@ -20,8 +18,6 @@ Vec3 upright(const Vec3& forward, const Vec3& up) {
   }
   throw InternalError("camera without an upright direction reached the geometry");
 }
-
-}  // namespace
 
 Perspective::Perspective(const Camera& camera)
     : eye_(camera.eye), width_(camera.width), height_(camera.height) {

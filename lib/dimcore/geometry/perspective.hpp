@@ -19,6 +19,12 @@ struct Camera {
   double parallel_m = 0.0;
 };
 
+/// The top of a picture: across the view, in the plane of view and `up`; where these run along each other, +y (else +x)
+/// stands in for up.
+/// @param forward  unit
+/// @returns unit
+Vec3 upright(const Vec3& forward, const Vec3& up);
+
 /// Three-point perspective of a camera, or its parallel projection along the view: a plan, an elevation. Of the
 /// latter the eye is where the picture begins: what lies behind it is not shown. Picture coordinates in pixels, x to the right, y downwards from the
 /// picture's upper left corner; pixel (i, j) has its middle at (i + 0.5, j + 0.5).

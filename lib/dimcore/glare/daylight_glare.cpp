@@ -5,6 +5,8 @@
 #include <map>
 #include <numeric>
 
+#include "geometry/fisheye.hpp"
+
 namespace dim {
 namespace {
 
@@ -97,17 +99,12 @@ double low_light_share(double vertical_lx) {
 }  // namespace
 
 std::vector<SeenPixel> fisheye_pixels(const LineOfSight& sight, int side_px) {
-  const Vec3 right = glm::cross(sight.forward, sight.up);
-  const double step = 2.0 / side_px;
+  const Fisheye fisheye(Vec3(0.0), sight.forward, sight.up, FisheyeLaw::angular, side_px);
   std::vector<SeenPixel> pixels;
   for (int j = 0; j < side_px; ++j) {
     for (int i = 0; i < side_px; ++i) {
-      const double x = (i + 0.5) * step - 1.0, y = 1.0 - (j + 0.5) * step, r = std::hypot(x, y);
-      if (r >= 1.0) continue;
-      const double angle = 0.5 * kPi * r;
-      const double share = r > 0.0 ? std::sin(angle) / r : 0.5 * kPi;  // of the unit circle, on the sphere
-      pixels.push_back({std::cos(angle) * sight.forward + share * (x * right + y * sight.up),
-                        0.5 * kPi * share * step * step, 0.0});
+      if (const auto towards = fisheye.direction(i + 0.5, j + 0.5))
+        pixels.push_back({*towards, fisheye.solid_angle_sr(i + 0.5, j + 0.5), 0.0});
     }
   }
   return pixels;

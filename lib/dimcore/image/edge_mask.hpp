@@ -2,30 +2,28 @@
 
 #include <vector>
 
-#include "geometry/perspective.hpp"
-#include "geometry/segment.hpp"
+#include "base/vec.hpp"
 
 namespace dim {
 
 /// Pixels of a picture that an edge may pass through, hidden or not: all others show one surface each.
 class EdgeMask {
  public:
-  /// @param near_m  > 0: what is nearer to the eye is not in the picture
-  EdgeMask(const Perspective& perspective, double near_m);
+  /// @param width, height  of the picture, pixels
+  EdgeMask(int width, int height);
 
-  void add(const Vec3& a, const Vec3& b);
+  /// The line between two places in the picture, or beside it, has an edge on it.
+  void add(const Vec2& a, const Vec2& b);
 
   bool at(int x, int y) const { return marked_[index(x, y)]; }
 
  private:
   std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(perspective_.width()) +
-           static_cast<std::size_t>(x);
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
   }
   void mark(double along, double from, double to, bool steep);
 
-  const Perspective& perspective_;
-  double near_m_;
+  int width_, height_;
   std::vector<bool> marked_;
 };
 

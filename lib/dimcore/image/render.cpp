@@ -10,8 +10,8 @@
 
 #include "base/low_discrepancy.hpp"
 #include "base/meter.hpp"
-#include "geometry/perspective.hpp"
 #include "image/edge_mask.hpp"
+#include "image/lens.hpp"
 #include "scene/joints.hpp"
 
 namespace dim {
@@ -36,17 +36,17 @@ void store(const Pixel& pixel, const LightChannels& channels, std::size_t at, Ra
     raster.radiance[at * channels.n_bands() + channels.band(c)] += static_cast<float>(pixel.light[c]);
 }
 
-Vec2 on_plane(const Frame& frame, const Vec3& eye, const Vec3& direction) {
-  const double t = -frame.height(eye) / glm::dot(direction, frame.n);
-  return frame.to_local(eye + t * direction);
+Vec2 on_plane(const Frame& frame, const Sight& sight) {
+  const double t = -frame.height(sight.origin) / glm::dot(sight.direction, frame.n);
+  return frame.to_local(sight.origin + t * sight.direction);
 }
 
 /// What one part of a picture shows. Rays that meet plain surfaces are gathered into places, so that the light on
 /// each surface is found for all of the tile together.
 class Tile {
  public:
-  Tile(const Shader& shader, const RenderOptions& options, const Perspective& perspective, const EdgeMask& edges)
-      : shader_(shader), options_(options), perspective_(perspective), edges_(edges) {}
+  Tile(const Shader& shader, const RenderOptions& options, const Lens& lens, const EdgeMask& edges)
+      : shader_(shader), options_(options), lens_(lens), edges_(edges) {}
 
   void draw(int x0, int y0, Raster& raster) {
     const int x1 = std::min(x0 + kTile_px, raster.width), y1 = std::min(y0 + kTile_px, raster.height);
@@ -81,30 +81,35 @@ class Tile {
     if (n > 1 && !edges_.at(x, y) && look_once(x, y, at)) return;
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i) {
-        const Vec3 direction = perspective_.direction(x + (i + 0.5) / n, y + (j + 0.5) / n);
-        const Hit hit = shader_.first(eye(), direction);
+        const auto sight = lens_.sight(x + (i + 0.5) / n, y + (j + 0.5) / n);
+        if (!sight) continue;
+        const Hit hit = shader_.first(sight->origin, sight->direction);
         if (shader_.kind(hit) == Shader::Kind::place)
           add_spot(at, hit, x, y);
         else
-          see(at, direction, hit, 1.0 / (n * n), chance(x * n + i, y * n + j), 1);
+          see(at, *sight, hit, 1.0 / (n * n), chance(x * n + i, y * n + j), 1);
       }
   }
 
   // A pixel in which nothing begins or ends.
   bool look_once(int x, int y, std::uint32_t at) {
-    const Vec3 direction = perspective_.direction(x + 0.5, y + 0.5);
-    const Hit hit = shader_.first(eye(), direction);
+    const auto sight = lens_.sight(x + 0.5, y + 0.5);
+    if (!sight) return true;
+    const Hit hit = shader_.first(sight->origin, sight->direction);
     const auto kind = shader_.kind(hit);
     const int n_all = options_.samples * options_.samples;
     if (kind == Shader::Kind::mirror) return false;
     if (kind != Shader::Kind::place) {
-      see(at, direction, hit, 1.0, chance(x, y), n_all);
+      see(at, *sight, hit, 1.0, chance(x, y), n_all);
       return true;
     }
     const Frame& frame = shader_.outlines()[static_cast<std::size_t>(hit.plate)]->frame();
     std::array<Vec2, 4> corners;
-    for (std::size_t k = 0; k < 4; ++k)
-      corners[k] = on_plane(frame, eye(), perspective_.direction(x + (k == 1 || k == 2), y + (k >= 2)));
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto corner = lens_.sight(x + (k == 1 || k == 2), y + (k >= 2));
+      if (!corner) return false;
+      corners[k] = on_plane(frame, *corner);
+    }
     if (!shader_.in_one_cell(static_cast<std::size_t>(hit.plate), corners)) return false;
     if (signed_area({corners.begin(), corners.end()}) < 0.0) std::reverse(corners.begin(), corners.end());
     spots_.push_back({at, hit.plate, n_all, {hit.local, corners, true, 1.0, chance(x, y)}});
@@ -126,10 +131,10 @@ class Tile {
     spots_.push_back({at, hit.plate, 1, {hit.local, {}, false, 1.0, chance(x, y)}});
   }
 
-  void see(std::uint32_t at, const Vec3& direction, const Hit& hit, double weight, std::uint64_t chance, int n_rays) {
+  void see(std::uint32_t at, const Sight& sight, const Hit& hit, double weight, std::uint64_t chance, int n_rays) {
     Pixel& pixel = pixels_[at];
     seen_.assign(shader_.channels().size(), 0.0);
-    const auto seen = shader_.seen(eye(), direction, hit, weight, chance, seen_);
+    const auto seen = shader_.seen(sight.origin, sight.direction, hit, weight, chance, seen_);
     add(pixel, seen_, n_rays, seen.anything, seen.surface, seen.illuminance_lx);
   }
 
@@ -178,14 +183,13 @@ class Tile {
     }
   }
 
-  const Vec3& eye() const { return options_.view.eye; }
   static std::uint64_t chance(int x, int y) {
     return mix(static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x));
   }
 
   const Shader& shader_;
   const RenderOptions& options_;
-  const Perspective& perspective_;
+  const Lens& lens_;
   const EdgeMask& edges_;
   std::vector<Pixel> pixels_;
   std::vector<Spot> spots_;
@@ -195,18 +199,19 @@ class Tile {
   Light seen_;
 };
 
-EdgeMask edges_in(const Perspective& perspective, const Shader& shader, const Zone& zone, const Job& job) {
-  constexpr double kNear = 1e-6;  // of the zone
-  EdgeMask mask(perspective, kNear * zone.diameter_m);
+EdgeMask edges_in(const Lens& lens, const View& view, const Shader& shader, const Zone& zone, const Job& job) {
+  const double near_m = 1e-6 * zone.diameter_m;
+  EdgeMask mask(view.width, view.height);
+  lens.mark_rim(mask);
   for (const auto* polygon : shader.outlines()) {
     job.check();
     for (const auto& ring : polygon->corners())
-      for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) mask.add(ring[j], ring[i]);
+      for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) lens.mark_edge(ring[j], ring[i], near_m, mask);
   }
   const auto joints = find_joints(zone);
   for (std::size_t s = 0; s < joints.size(); ++s) {
     const Frame& frame = zone.surfaces[s].polygon.frame();
-    for (const auto& joint : joints[s]) mask.add(frame.to_world(joint.a), frame.to_world(joint.b));
+    for (const auto& joint : joints[s]) lens.mark_edge(frame.to_world(joint.a), frame.to_world(joint.b), near_m, mask);
   }
   return mask;
 }
@@ -248,13 +253,12 @@ Raster render_view(const LuminanceDatabase& database, const Cells& cells, const 
     raster.band_edges_nm = database.bands().edges_nm;
     grow(raster.radiance, raster.n_pixels() * database.bands().size(), job);
   }
-  const Perspective perspective({options.view.eye, options.view.focus, options.view.up, options.view.fov_rad,
-                                 options.view.width, options.view.height});
-  const EdgeMask edges = edges_in(perspective, shader, database.zone(), job);
+  const Lens lens(options.view);
+  const EdgeMask edges = edges_in(lens, options.view, shader, database.zone(), job);
   const int n_across = (raster.width - 1) / kTile_px + 1, n_down = (raster.height - 1) / kTile_px + 1;
   Meter meter(job, "draw", static_cast<std::size_t>(n_across) * static_cast<std::size_t>(n_down));
   tbb::parallel_for(tbb::blocked_range2d<int>(0, n_down, 1, 0, n_across, 4), [&](const auto& tiles) {
-    Tile tile(shader, options, perspective, edges);
+    Tile tile(shader, options, lens, edges);
     for (int j = tiles.rows().begin(); j != tiles.rows().end(); ++j) {
       for (int i = tiles.cols().begin(); i != tiles.cols().end(); ++i) {
         if (job.stopped()) return;

@@ -19,7 +19,8 @@ struct RenderOptions {
 };
 
 /// A view of the zone: every pixel the mean over its rays of what they met, see `Shader`. Openings without
-/// area (points, lines) are not seen. Openings have no illuminance: NaN in the scalar raster.
+/// area (points, lines) are not seen. Openings have no illuminance: NaN in the scalar raster, as outside the circle of a
+/// round view, which is black.
 /// @throws LimitError   before any work, when the picture does not fit job.memory_limit_bytes
 /// @throws Interrupted
 Raster render_view(const LuminanceDatabase& database, const Cells& cells, const Mix& mix,

@@ -165,6 +165,7 @@ void warn_of_eyes(const Zone& zone, const std::vector<Place>& eyes, const std::v
                   const InsideTest& test, const ZoneFrame& frame, double touch_m, Warnings& warnings) {
   for (std::size_t i = 0; i < zone.views.size(); ++i) {
     const View& view = zone.views[i];
+    if (view.parallel()) continue;  // it may begin above the ceiling, behind a wall or in a cabinet, as a section does
     const auto body = std::find_if(bodies.begin(), bodies.end(),
                                    [&](const Body& b) { return b.contains(view.eye, touch_m); });
     const std::string eye =

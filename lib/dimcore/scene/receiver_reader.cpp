@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include "database/toml_reader.hpp"
 #include "scene/face_source.hpp"
@@ -126,6 +128,57 @@ void read_sensors(const TomlTable& table, const ZoneFrame& frame, UniqueNames& n
   zone.point_sets.push_back({*name, first, zone.points.size() - first, table.place("name")});
 }
 
+// Corners of the surfaces' bounding box, what stands outside left out.
+std::vector<Vec3> box_of(const Zone& zone) {
+  std::vector<Vec3> corners;
+  for (const auto& surface : zone.surfaces)
+    for (const auto& ring : surface.polygon.corners())
+      if (!surface.outside) corners.insert(corners.end(), ring.begin(), ring.end());
+  if (corners.empty()) return corners;
+  Vec3 low = corners.front(), high = low;
+  for (const auto& corner : corners) low = glm::min(low, corner), high = glm::max(high, corner);
+  corners.clear();
+  for (int k = 0; k < 8; ++k)
+    corners.emplace_back(k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z);
+  return corners;
+}
+
+// What a kind of view has no use for is refused, so that nobody waits for its effect.
+void read_kind(const TomlTable& table, View& view) {
+  const auto kind = table.word("kind", view_kind_words());
+  const auto& words = view_kind_words();
+  if (kind) view.kind = static_cast<ViewKind>(std::find(words.begin(), words.end(), *kind) - words.begin());
+  constexpr double kDefaultFov_deg = 70.0;
+  view.fov_rad = radians(table.number_or("fov", {0.0, 180.0, true, true}, kDefaultFov_deg));
+  const bool has_fov = table.has("fov"), has_width = table.has("width");
+  if (!kind && table.has("kind")) return;
+  if (view.kind != ViewKind::perspective && has_fov)
+    table.problem("fov", fmt::format("a view of kind {} has no fov", *kind),
+                  view.parallel() ? "give its width, or leave it out" : "leave it out: it shows 180 degrees");
+  if (!view.parallel() && has_width)
+    table.problem("width", "only plans and elevations have a width", "give fov, or leave it out");
+}
+
+void read_size(const TomlTable& table, View& view) {
+  constexpr int kRoundSide_px = 1024;
+  if (view.round()) view.width = view.height = kRoundSide_px;
+  const auto size = table.integers2("size", 1, kMaxPixels);
+  if (!size) return;
+  std::tie(view.width, view.height) = *size;
+  if (view.round() && view.width != view.height)
+    table.problem("size", "a round picture is square", fmt::format("write size = [{0}, {0}]", std::min(view.width, view.height)));
+}
+
+// A plan and an elevation are to scale: they look along an axis of the room's heights, or across it.
+void check_level(const TomlTable& table, const View& view) {
+  constexpr double kStraight = 1e-6;
+  const Vec3 along = glm::normalize(view.focus - view.eye);
+  if (view.kind == ViewKind::plan && std::hypot(along.x, along.y) > kStraight)
+    table.problem("focus", "a plan looks straight down or up", "give focus the x and y of eye");
+  if (view.kind == ViewKind::elevation && std::abs(along.z) > kStraight)
+    table.problem("focus", "an elevation looks level", "give focus the height of eye");
+}
+
 void check_view(const TomlTable& table, bool own_up, View& view) {
   const Vec3 along = view.focus - view.eye;
   const double distance = glm::length(along);
@@ -143,10 +196,9 @@ void read_view(const TomlTable& table, const ZoneFrame& frame, UniqueNames& name
   const auto eye = table.vec3("eye");
   const auto focus = table.vec3("focus");
   const auto up = table.vec3("up");
-  constexpr double kDefaultFov_deg = 70.0;
-  view.fov_rad = radians(table.number_or("fov", {0.0, 180.0, true, true}, kDefaultFov_deg));
-  if (const auto size = table.integers2("size", 1, kMaxPixels))
-    view.width = size->first, view.height = size->second;
+  read_kind(table, view);
+  read_size(table, view);
+  const auto width = table.number("width", kLength);
   table.refuse_unknown();
   if (!complete || !name || !eye || !focus) return;
   names.add(table, *name);
@@ -158,6 +210,11 @@ void read_view(const TomlTable& table, const ZoneFrame& frame, UniqueNames& name
     view.up = glm::normalize(*up);
   }
   check_view(table, up.has_value(), view);
+  if (view.focus == view.eye) return;
+  if (view.parallel()) {
+    check_level(table, view);
+    view.width_m = width ? *width * frame.unit_m : fitting_width_m(view, box_of(zone));
+  }
   zone.views.push_back(std::move(view));
 }
 

@@ -8,6 +8,7 @@
 #include "base/vec.hpp"
 #include "geometry/polygon.hpp"
 #include "reflection/finish.hpp"
+#include "scene/view.hpp"
 
 /// The validated model of a zone: what the zone file says, in metres, with boxes and copies expanded,
 /// features cut out of their parents, and everything moved so that the zone's own centre is the origin.
@@ -72,16 +73,6 @@ struct PointSet {
   std::size_t first = 0;
   std::size_t count = 0;
   Place place{};
-};
-
-struct View {
-  std::string name;
-  Vec3 eye{0.0};
-  Vec3 focus{1, 0, 0};
-  Vec3 up{0, 0, 1};
-  double fov_rad = 1.2;  ///< horizontal
-  int width = 1280;
-  int height = 960;
 };
 
 struct Site {

@@ -191,6 +191,19 @@ Finish finish_from(const JsonEntry& json) {
   return finish;
 }
 
+// Of perspectives without the keys of the other kinds: files of a time before these have none either.
+Json view_to_json(const View& view) {
+  Json json = {{"name", view.name},
+               {"eye", to_json(view.eye)},
+               {"focus", to_json(view.focus)},
+               {"up", to_json(view.up)},
+               {"fov_rad", view.fov_rad},
+               {"size", {view.width, view.height}}};
+  if (view.kind != ViewKind::perspective) json["kind"] = view_kind_words()[static_cast<std::size_t>(view.kind)];
+  if (view.parallel()) json["width_m"] = view.width_m;
+  return json;
+}
+
 Json description(const Zone& zone) {
   Json json = {{"name", zone.name},
                {"finishes", Json::array()},
@@ -198,13 +211,7 @@ Json description(const Zone& zone) {
                {"planes", Json::array()},
                {"point_sets", Json::array()}};
   for (const auto& finish : zone.finishes) json["finishes"].push_back(finish_to_json(finish));
-  for (const auto& view : zone.views)
-    json["views"].push_back({{"name", view.name},
-                             {"eye", to_json(view.eye)},
-                             {"focus", to_json(view.focus)},
-                             {"up", to_json(view.up)},
-                             {"fov_rad", view.fov_rad},
-                             {"size", {view.width, view.height}}});
+  for (const auto& view : zone.views) json["views"].push_back(view_to_json(view));
   for (const auto& plane : zone.planes)
     json["planes"].push_back({{"name", plane.name}, {"nu", plane.nu}, {"nv", plane.nv}});
   for (const auto& set : zone.point_sets)
@@ -234,6 +241,9 @@ View view_from(const JsonEntry& v) {
   if (!(view.fov_rad > 0.0 && view.fov_rad < kPi)) v["fov_rad"].fail("is not within 0..pi");
   if (!(glm::length(glm::cross(view.focus - view.eye, view.up)) > 0.0))
     v.fail("looks nowhere, or along its own up");
+  if (v.has("kind")) view.kind = static_cast<ViewKind>(v["kind"].word(view_kind_words()));
+  if (view.parallel()) view.width_m = v["width_m"].positive();
+  if (view.round() && view.width != view.height) v["size"].fail("is not square, as round views are");
   return view;
 }
 
