@@ -85,4 +85,20 @@ class ExportCommand {
   CLI::App* command_;
 };
 
+/// dimdis new box|l --size LxWxH
+class NewCommand {
+ public:
+  explicit NewCommand(Program& program);
+  /// True when it was asked for.
+  bool run();
+
+ private:
+  void refuse_existing(const std::string& path) const;
+
+  Program& program_;
+  std::string shape_, size_, leg_, lights_;
+  std::string output_ = "-";
+  CLI::App* command_;
+};
+
 }  // namespace dim
