@@ -28,7 +28,8 @@ std::optional<Vec2> Fisheye::project(const Vec3& point) const {
   const Vec3 p = point - eye_;
   const double x = glm::dot(p, right_), y = glm::dot(p, up_), z = glm::dot(p, forward_), across = std::hypot(x, y);
   const double length = std::hypot(across, z);
-  if (!(length > 0.0) || z < 0.0) return {};
+  constexpr double kRounding = 1e-12;  // what an edge is cut off at lies on the rim
+  if (!(length > 0.0) || z < -kRounding * length) return {};
   if (!(across > 0.0)) return Vec2(radius_px_);
   const double r = law_ == FisheyeLaw::hemispherical ? across / length : std::atan2(across, z) / (0.5 * kPi);
   const double scale = radius_px_ * r / across;
