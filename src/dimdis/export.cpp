@@ -20,6 +20,8 @@ bool ExportCommand::run() {
   if (!command_->parsed()) return false;
   program_.check_output(output_, {input_.path});
   if (!points_.empty()) program_.check_output(points_, {input_.path, output_});
+  if (points_ == "-" && output_ == "-")
+    throw UsageError("the zone and its points cannot both go to standard output\n        give -o a name");
   const Zone zone = read_zone(program_, input_);
   Warnings warnings;
   const std::string text = format_ == "obj" ? to_obj(zone) : to_radiance(zone, warnings);

@@ -5,6 +5,8 @@
 #include <cctype>
 #include <cmath>
 #include <set>
+#include <string_view>
+#include <utility>
 
 #include "geometry/bridge.hpp"
 #include "spectrum/bands.hpp"
@@ -34,25 +36,40 @@ double transmissivity(double transmittance) {
   return (std::sqrt(a + b * transmittance * transmittance) - c) / (d * transmittance);
 }
 
-/// Names without blanks, each only once: finishes may differ in what other formats cannot spell.
-std::vector<std::string> plain_names(const std::vector<Finish>& finishes) {
-  std::set<std::string> taken;
-  std::vector<std::string> names;
-  for (const Finish& finish : finishes) {
-    std::string name;
-    for (const char c : finish.name) name += std::isgraph(static_cast<unsigned char>(c)) ? c : '_';
-    if (name.empty()) name = "finish";
-    const std::string stem = name;
-    for (int n = 2; !taken.insert(name).second; ++n) name = fmt::format("{}_{}", stem, n);
-    names.push_back(name);
+/// Whether a sign of a name means nothing to either format: Radiance runs what follows `!`.
+bool is_plain(char c) {
+  return std::isgraph(static_cast<unsigned char>(c)) && std::string_view("!#\"'\\").find(c) == std::string_view::npos;
+}
+
+/// Names that both formats can spell, each only once, with `_` for other signs.
+class PlainNames {
+ public:
+  explicit PlainNames(std::set<std::string> taken = {}) : taken_(std::move(taken)) {}
+
+  std::string add(const std::string& text) {
+    std::string stem;
+    for (const char c : text) stem += is_plain(c) ? c : '_';
+    std::string name = stem;
+    for (int n = 2; !taken_.insert(name).second; ++n) name = fmt::format("{}_{}", stem, n);
+    return name;
   }
+
+ private:
+  std::set<std::string> taken_;
+};
+
+std::vector<std::string> plain_names(const std::vector<Finish>& finishes) {
+  PlainNames plain({"void"});  // Radiance's word for no material
+  std::vector<std::string> names;
+  for (const Finish& finish : finishes) names.push_back(plain.add(finish.name));
   return names;
 }
 
-std::string plain_name(const std::string& text) {
-  std::string name;
-  for (const char c : text) name += std::isgraph(static_cast<unsigned char>(c)) ? c : '_';
-  return name.empty() ? "surface" : name;
+std::vector<std::string> plain_names(const std::vector<Surface>& surfaces) {
+  PlainNames plain;
+  std::vector<std::string> names;
+  for (const Surface& surface : surfaces) names.push_back(plain.add(surface.name));
+  return names;
 }
 
 std::string material(const Finish& finish, const std::string& name, std::vector<Problem>& warnings) {
@@ -83,7 +100,7 @@ Ring3 in_users_place(const Zone& zone, const Polygon& polygon, const Ring2& ring
 }  // namespace
 
 std::string to_radiance(const Zone& zone, std::vector<Problem>& warnings) {
-  const auto names = plain_names(zone.finishes);
+  const auto names = plain_names(zone.finishes), surface_names = plain_names(zone.surfaces);
   std::string text = "# metres, z up\n";
   for (std::size_t f = 0; f < names.size(); ++f) text += material(zone.finishes[f], names[f], warnings);
   for (std::size_t s = 0; s < zone.surfaces.size(); ++s) {
@@ -99,7 +116,7 @@ std::string to_radiance(const Zone& zone, std::vector<Problem>& warnings) {
     }
     for (const Ring2& ring : bridged_rings(surface.polygon)) {
       text += fmt::format("{} polygon {}\n0\n0\n{}\n", names[static_cast<std::size_t>(surface.finish)],
-                          plain_name(surface.name), 3 * ring.size());
+                          surface_names[s], 3 * ring.size());
       for (const Vec3& p : in_users_place(zone, surface.polygon, ring))
         text += fmt::format("  {:.17g} {:.17g} {:.17g}\n", p.x, p.y, p.z);
       text += '\n';
@@ -109,11 +126,12 @@ std::string to_radiance(const Zone& zone, std::vector<Problem>& warnings) {
 }
 
 std::string to_obj(const Zone& zone) {
-  const auto names = plain_names(zone.finishes);
+  const auto names = plain_names(zone.finishes), surface_names = plain_names(zone.surfaces);
   std::string text = "# metres, z up\n";
   std::size_t n_corners = 0;
-  for (const Surface& surface : zone.surfaces) {
-    text += fmt::format("g {}\nusemtl {}\n", plain_name(surface.name),
+  for (std::size_t s = 0; s < zone.surfaces.size(); ++s) {
+    const Surface& surface = zone.surfaces[s];
+    text += fmt::format("g {}\nusemtl {}\n", surface_names[s],
                         names[static_cast<std::size_t>(surface.finish)]);
     for (const Ring2& ring : bridged_rings(surface.polygon)) {
       std::string face = "f";
