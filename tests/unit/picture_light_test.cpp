@@ -5,6 +5,7 @@
 #include "geometry/perspective.hpp"
 #include "image/cell_blend.hpp"
 #include "image/edge_mask.hpp"
+#include "image/lens.hpp"
 #include "image/render.hpp"
 #include "property/transport_support.hpp"
 #include "scene/joints.hpp"
@@ -99,11 +100,18 @@ vertices = [[2.2,0,0],[2.2,4,0],[2.2,4,3],[2.2,0,3]]
 TEST_CASE("Pixels without an edge show one surface", "[image][property]") {
   const Zone zone = furnished_room(0.5, 0.7);
   const RayCaster caster(plates_of(zone), zone.diameter_m);
-  const Perspective camera({{-2.7, -1.6, 0.2}, {1, 0.5, -0.5}, {0, 0, 1}, 1.3, 160, 120});
-  EdgeMask mask(camera, 1e-6);
+  View view;
+  view.eye = {-2.7, -1.6, 0.2};
+  view.focus = {1, 0.5, -0.5};
+  view.fov_rad = 1.3;
+  view.width = 160;
+  view.height = 120;
+  const Perspective camera(camera_of(view));
+  const Lens lens(view);
+  EdgeMask mask(view.width, view.height);
   for (const auto& surface : zone.surfaces)
     for (const auto& ring : surface.polygon.corners())
-      for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) mask.add(ring[j], ring[i]);
+      for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) lens.mark_edge(ring[j], ring[i], 1e-6, mask);
   int n_without = 0, n_wrong = 0;
   for (int y = 0; y < 120; ++y) {
     for (int x = 0; x < 160; ++x) {
