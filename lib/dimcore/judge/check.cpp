@@ -177,16 +177,10 @@ class Checker {
         percent * daylight.mean_error_lx);
   }
 
-  // Of the light that eyes are adapted to: the surfaces' errors over their light.
+  // Of the light that eyes are adapted to.
   double background_share() const {
-    const auto surfaces = of_all_surfaces(input_.initial);
-    double lx = 0.0, error_lx = 0.0;
-    for (std::size_t s = 0; s < surfaces.size(); ++s) {
-      const double area_m2 = zone_.surfaces[s].polygon.area_m2();
-      lx += area_m2 * surfaces[s].mean_lx;
-      error_lx += area_m2 * surfaces[s].mean_error_lx;
-    }
-    return lx > 0.0 ? error_lx / lx : error_share_;
+    const auto light = surface_light(database_, input_.initial);
+    return light && light->lm > 0.0 ? light->error_lm / light->lm : error_share_;
   }
 
   void add_glare(const Requirement& r, const PointSet& set) {

@@ -4,6 +4,7 @@
 #include "image/render.hpp"
 #include "report/packed.hpp"
 #include "report/parts.hpp"
+#include "result/point_error.hpp"
 
 namespace dim {
 namespace {
@@ -38,6 +39,7 @@ Json groups_part(const LuminanceDatabase& database, const std::vector<LightGroup
       error_lm += lm * stated_error(database, only(Mix(group.full.size(), 1.0), s));
       xyz += lm * source_xyz(database.sources()[s]);
     }
+    const auto surfaces = surface_light(database, group.full).value_or(SurfaceLight{flux_lm, error_lm});
     for (const auto& luminaire : database.luminaires()) {
       if (group.daylight || group.full[luminaire.source] == 0.0) continue;
       const double its = database.photometry()[luminaire.photometry].watts;
@@ -51,6 +53,8 @@ Json groups_part(const LuminanceDatabase& database, const std::vector<LightGroup
                     {"luminaires", n},
                     {"flux_lm", flux_lm},
                     {"error_lm", error_lm},
+                    {"surfaces_lm", surfaces.lm},
+                    {"surfaces_error_lm", surfaces.error_lm},
                     {"watts", std::isnan(watts) ? Json(nullptr) : Json(watts)},
                     {"xyz", vector(xyz)}});
   }

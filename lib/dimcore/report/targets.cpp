@@ -41,6 +41,10 @@ class Targets {
       point_lx_.push_back(point_illuminance_lx(database, group.full));
       point_error_.push_back(point_errors(database, group.full));
       share_.push_back(stated_error(database, group.full));
+      std::vector<double> mean_lx;
+      for (const auto& f : surface_figures(database.cells(), cell_appearance(database, database.cells(), group.full)))
+        mean_lx.push_back(f.illuminance_mean_lx);
+      surface_error_.push_back(surface_errors(database, group.full, mean_lx));
     }
   }
 
@@ -80,7 +84,8 @@ class Targets {
                                    all.begin() + static_cast<std::ptrdiff_t>(last));
       double sum = 0.0, area = 0.0;
       for (std::size_t c = 0; c < lx.size(); ++c) sum += lx[c] * areas[c], area += areas[c];
-      const double error = area > 0.0 ? share_[g] * sum / area : 0.0;
+      const double mean_lx = area > 0.0 ? sum / area : 0.0;
+      const double error = surface_error_[g] ? (*surface_error_[g])[s].total_lx() : share_[g] * mean_lx;
       target["groups"].push_back(
           {{"lx", packed(lx)}, {"error", packed(std::vector<double>(lx.size(), error))}, {"mean_error", error}});
     }
@@ -151,6 +156,7 @@ class Targets {
   const Job& job_;
   std::vector<std::vector<double>> point_lx_;                         // [n_groups][n_points]
   std::vector<std::optional<std::vector<PointError>>> point_error_;  // [n_groups]
+  std::vector<std::optional<std::vector<PointError>>> surface_error_;  // [n_groups]
   std::vector<double> share_;                                         // [n_groups] of what has no error of its own
 };
 

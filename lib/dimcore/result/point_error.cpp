@@ -123,6 +123,22 @@ std::optional<std::vector<PointError>> surface_errors(const LuminanceDatabase& d
   return errors;
 }
 
+std::optional<SurfaceLight> surface_light(const LuminanceDatabase& database, const Mix& mix) {
+  std::vector<double> mean_lx, area_m2;
+  for (const auto& f : surface_figures(database.cells(), cell_appearance(database, database.cells(), mix))) {
+    mean_lx.push_back(f.illuminance_mean_lx);
+    area_m2.push_back(f.area_m2);
+  }
+  const auto errors = surface_errors(database, mix, mean_lx);
+  if (!errors) return std::nullopt;
+  SurfaceLight light;
+  for (std::size_t s = 0; s < mean_lx.size(); ++s) {
+    light.lm += area_m2[s] * mean_lx[s];
+    light.error_lm += area_m2[s] * (*errors)[s].total_lx();
+  }
+  return light;
+}
+
 PointError mean_error(const std::vector<PointError>& errors, const std::vector<MeasuringPoint>& points,
                       const PointSet& set) {
   PointError mean;

@@ -42,6 +42,13 @@ StatedShare stated_share(const std::vector<PointError>& errors, const std::vecto
 std::optional<std::vector<PointError>> surface_errors(const LuminanceDatabase& database, const Mix& mix,
                                                       const std::vector<double>& mean_lx);
 
+/// The light of all surfaces, lm, and what it is stated to be off by.
+struct SurfaceLight {
+  double lm = 0.0, error_lm = 0.0;
+};
+/// @returns nothing where the solution does not know the error
+std::optional<SurfaceLight> surface_light(const LuminanceDatabase& database, const Mix& mix);
+
 /// Of the mean of a set's valid points: rays and direct light of points are apart, all else they have in common.
 PointError mean_error(const std::vector<PointError>& errors, const std::vector<MeasuringPoint>& points,
                       const PointSet& set);

@@ -165,9 +165,9 @@ void warn_of_eyes(const Zone& zone, const std::vector<Place>& eyes, const std::v
                   const InsideTest& test, const ZoneFrame& frame, double touch_m, Warnings& warnings) {
   for (std::size_t i = 0; i < zone.views.size(); ++i) {
     const View& view = zone.views[i];
-    if (view.parallel()) continue;  // it may begin above the ceiling, behind a wall or in a cabinet, as a section does
     const auto body = std::find_if(bodies.begin(), bodies.end(),
                                    [&](const Body& b) { return b.contains(view.eye, touch_m); });
+    if (view.parallel() && body != bodies.end()) continue;  // a section may begin in a cabinet
     const std::string eye =
         fmt::format("view '{}': its eye {}", view.name, short_point(frame.to_file(view.eye)));
     if (body != bodies.end())

@@ -43,10 +43,10 @@ function worstUgr(rating, factors) {
   return { ugr: worst, eye: at };
 }
 
-// Of mixed light, relative to its mean: what a surface's figure and a UGR's logarithm may be off by.
+// Of mixed light on all surfaces, relative to it: what a UGR's logarithm may be off by.
 function errorShare(groups, factors) {
   let flux = 0, error = 0;
-  groups.forEach((g, k) => { flux += factors[k] * g.flux_lm; error += factors[k] * g.error_lm; });
+  groups.forEach((g, k) => { flux += factors[k] * g.surfaces_lm; error += factors[k] * g.surfaces_error_lm; });
   return flux > 0 ? error / flux : 0;
 }
 
@@ -80,7 +80,7 @@ function findingFor(finding, room, factors) {
     const rating = room.glare.find((r) => r.kind === "plane" && r.name === finding.where);
     if (!rating) return asIs;
     const { ugr } = worstUgr(rating, night);
-    const result = judged(ugr, ugr, 8 / Math.LN10 * errorShare(room.groups, kept));
+    const result = judged(ugr, ugr, 8 / Math.LN10 * errorShare(room.groups, night));
     if (!Number.isFinite(ugr)) result.verdict = "met";
     return result;
   }
