@@ -90,3 +90,21 @@ TEST_CASE("More time states less error", "[accuracy][unit]") {
     n_before = result.n_networks;
   }
 }
+
+TEST_CASE("An odd number of sectors does not state more error than an even one", "[accuracy][unit]") {
+  const Lights lights = point_lamp({1, 0.5, 0.6}, 100.0);
+  // Largest share of points, by the rays of the cells that they see.
+  const auto stated = [&](int n_sectors) {
+    const RaysFile rays = coarse_room();
+    const auto solution = solve(rays.zone, lights, network_of(rays.zone, {16, n_sectors}));
+    const LuminanceDatabase database(rays.zone, rays.cells, lights, solution);
+    const auto errors = point_errors(database, {1.0});
+    const auto lx = point_illuminance_lx(database, {1.0});
+    double most = 0.0;
+    for (std::size_t p = 0; p < lx.size(); ++p) most = std::max(most, (*errors)[p].cell_rays_lx / lx[p]);
+    return most;
+  };
+  const double even = std::max(stated(32), stated(34));
+  CHECK(stated(33) < 3.0 * even);
+  CHECK(stated(31) < 3.0 * even);
+}
