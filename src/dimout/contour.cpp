@@ -163,9 +163,7 @@ ContourMap ContourCommand::map_of_surface(const LuminanceDatabase& database) {
   const auto of_all = surface_figures(database.cells(), appearance);
   const auto& figures = of_all[index];
   add_figures(figures.illuminance_mean_lx, figures.illuminance_min_lx, figures.illuminance_max_lx, map);
-  std::vector<double> mean_lx;
-  for (const auto& f : of_all) mean_lx.push_back(f.illuminance_mean_lx);
-  const auto errors = surface_errors(database, mix, mean_lx);
+  const auto errors = surface_errors(database, mix, of_all);
   if (errors && figures.illuminance_mean_lx > 0.0)
     add_stated((*errors)[index].total_lx() / figures.illuminance_mean_lx, map);
   map.below = plan_of_surface(zone, index, map.plan);

@@ -137,9 +137,7 @@ void TableCommands::surfaces() {
                                            "error_lx"}));
   for_sources(database, input_, [&](const std::string& source, const Mix& mix) {
     const auto figures = surface_figures(cells, cell_appearance(database, cells, mix));
-    std::vector<double> mean_lx;
-    for (const auto& f : figures) mean_lx.push_back(f.illuminance_mean_lx);
-    const auto errors = surface_errors(database, mix, mean_lx);
+    const auto errors = surface_errors(database, mix, figures);
     for (std::size_t s = 0; s < figures.size(); ++s) {
       if (database.zone().surfaces[s].outside) continue;
       const auto& f = figures[s];

@@ -9,11 +9,7 @@ bin=$PWD/build/release/bin
 work=build/bench
 mkdir -p "$work"
 
-zone_of() { case $1 in office) echo examples/02-office/office.zone.toml ;; sidelit) echo examples/06-daylight-factor/room.zone.toml ;; *) echo "tests/bench/scenes/$1.zone.toml" ;; esac; }
-lights_of() {
-  local z; z=$(zone_of "$1")
-  case $1 in sidelit) echo "${z%/*}/overcast.lights.toml" ;; *) echo "${z%.zone.toml}.lights.toml" ;; esac
-}
+. tests/bench/scenes.bash
 plane_of() { case $1 in corridor) echo far ;; *) echo workplane ;; esac; }
 
 best() { # best of three wall-clock times of a command

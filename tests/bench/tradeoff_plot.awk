@@ -1,13 +1,5 @@
 # tests/bench/tradeoff's CSV as SVG: RMS error against processor seconds of dimdis and dimray, both logarithmic, a line a scene
 # along the sizes of cells, a dot a setting.
-function field(line, n,    rest, i, value) {
-  rest = line
-  for (i = 1; i <= n; i++) {
-    if (substr(rest, 1, 1) == "\"") { match(rest, /^"[^"]*"/); value = substr(rest, 2, RLENGTH - 2); rest = substr(rest, RLENGTH + 2) }
-    else { match(rest, /^[^,]*/); value = substr(rest, 1, RLENGTH); rest = substr(rest, RLENGTH + 2) }
-  }
-  return value
-}
 function x(seconds) { return 70 + 600 * (log(seconds) - log(0.05)) / (log(200) - log(0.05)) }
 function y(percent) { return 30 + 380 * (log(50) - log(percent)) / (log(50) - log(0.02)) }
 BEGIN {
@@ -23,7 +15,7 @@ BEGIN {
 }
 NR == 1 { next }
 {
-  scene = field($0, 1); setting = field($0, 2); s = field($0, 5) + field($0, 6); e = field($0, 11)
+  scene = $1; setting = $2; s = $5 + $6; e = $11
   if (!(scene in number)) { number[scene] = ++n_scenes; name[n_scenes] = scene }
   if (e < 0.02) e = 0.02
   if (e > 50) e = 50

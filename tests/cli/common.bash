@@ -5,14 +5,60 @@ bats_require_minimum_version 1.5.0
 PATH="$DIM_BIN:$PATH"
 export LC_ALL=C.UTF-8
 
-# Once a file: the room, its network and its luminance database, to be copied from $ROOM.
+# Once a file: the room, its network and its luminance database, to be copied from $ROOM. `make_room [MORE]`: MORE is
+# added to the zone file.
 make_room() {
   export ROOM="$BATS_FILE_TMPDIR/room"
   mkdir -p "$ROOM"
   cp "$DIM_SOURCE"/tests/data/cli/* "$ROOM"
   cd "$ROOM"
+  [ $# -eq 0 ] || printf '%s\n' "$1" >> room.zone.toml
   dimdis room.zone.toml --patches 8x16 --point-patches 16x32 -o room.rays
   dimray room.rays room.lights.toml --quiet -o room.lum
+}
+
+# Prints a zone without points: a room of 4 x 4 x 3 m with a window to the south that can be drawn, its glass then
+# diffusing. `side_zone CELL TRANSMITTANCE_WHEN_DRAWN`
+side_zone() {
+  cat << EOF
+dim = "zone/1"
+name = "side"
+cell = $1
+[finishes]
+wall = { diffuse = 0.5 }
+glass = { kind = "glazing", transmittance = 0.7, ior = 1.52 }
+drawn = { kind = "glazing", transmittance = $2, angular_law = "diffusing" }
+[[surface]]
+name = "floor"
+finish = "wall"
+vertices = [[0,0,0],[4,0,0],[4,4,0],[0,4,0]]
+[[surface]]
+name = "ceiling"
+finish = "wall"
+vertices = [[0,0,3],[0,4,3],[4,4,3],[4,0,3]]
+[[surface]]
+name = "south"
+finish = "wall"
+vertices = [[0,0,0],[0,0,3],[4,0,3],[4,0,0]]
+[[surface]]
+name = "window"
+on = "south"
+finish = "glass"
+states = { drawn = "drawn" }
+vertices = [[0.5,0,1],[0.5,0,2.5],[3.5,0,2.5],[3.5,0,1]]
+[[surface]]
+name = "north"
+finish = "wall"
+vertices = [[0,4,0],[4,4,0],[4,4,3],[0,4,3]]
+[[surface]]
+name = "west"
+finish = "wall"
+vertices = [[0,0,0],[0,4,0],[0,4,3],[0,0,3]]
+[[surface]]
+name = "east"
+finish = "wall"
+vertices = [[4,0,0],[4,0,3],[4,4,3],[4,4,0]]
+EOF
 }
 
 # Before each test: a folder of its own with copies of those files.

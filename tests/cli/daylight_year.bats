@@ -4,44 +4,8 @@
 setup_file() {
   load common
   cd "$BATS_FILE_TMPDIR"
-  cat > side.zone.toml << 'EOF'
-dim = "zone/1"
-name = "side"
-cell = 1
-[finishes]
-wall = { diffuse = 0.5 }
-glass = { kind = "glazing", transmittance = 0.7, ior = 1.52 }
-dark = { kind = "glazing", transmittance = 0.1, angular_law = "diffusing" }
-[[surface]]
-name = "floor"
-finish = "wall"
-vertices = [[0,0,0],[4,0,0],[4,4,0],[0,4,0]]
-[[surface]]
-name = "ceiling"
-finish = "wall"
-vertices = [[0,0,3],[0,4,3],[4,4,3],[4,0,3]]
-[[surface]]
-name = "south"
-finish = "wall"
-vertices = [[0,0,0],[0,0,3],[4,0,3],[4,0,0]]
-[[surface]]
-name = "window"
-on = "south"
-finish = "glass"
-states = { drawn = "dark" }
-vertices = [[0.5,0,1],[0.5,0,2.5],[3.5,0,2.5],[3.5,0,1]]
-[[surface]]
-name = "north"
-finish = "wall"
-vertices = [[0,4,0],[4,4,0],[4,4,3],[0,4,3]]
-[[surface]]
-name = "west"
-finish = "wall"
-vertices = [[0,0,0],[0,4,0],[0,4,3],[0,0,3]]
-[[surface]]
-name = "east"
-finish = "wall"
-vertices = [[4,0,0],[4,0,3],[4,4,3],[4,4,0]]
+  side_zone 1 0.1 > side.zone.toml
+  cat >> side.zone.toml << 'EOF'
 [[plane]]
 name = "workplane"
 vertices = [[0.5,0.5,0.8],[3.5,0.5,0.8],[3.5,3.5,0.8],[0.5,3.5,0.8]]

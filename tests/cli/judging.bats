@@ -58,44 +58,8 @@ plane() { awk -F'"' '/^\[\[plane\]\]/ { on = 1 } on && /^name/ { print $2; exit 
 
 # A room of 4 x 4 x 3 m with a window to the south, and an eye in its middle that looks at it.
 side_room() {
-  cat > side.zone.toml << 'EOF'
-dim = "zone/1"
-name = "side"
-cell = 0.5
-[finishes]
-wall = { diffuse = 0.5 }
-glass = { kind = "glazing", transmittance = 0.7, ior = 1.52 }
-milk = { kind = "glazing", transmittance = 0.5, angular_law = "diffusing" }
-[[surface]]
-name = "floor"
-finish = "wall"
-vertices = [[0,0,0],[4,0,0],[4,4,0],[0,4,0]]
-[[surface]]
-name = "ceiling"
-finish = "wall"
-vertices = [[0,0,3],[0,4,3],[4,4,3],[4,0,3]]
-[[surface]]
-name = "south"
-finish = "wall"
-vertices = [[0,0,0],[0,0,3],[4,0,3],[4,0,0]]
-[[surface]]
-name = "window"
-on = "south"
-finish = "glass"
-states = { drawn = "milk" }
-vertices = [[0.5,0,1],[0.5,0,2.5],[3.5,0,2.5],[3.5,0,1]]
-[[surface]]
-name = "north"
-finish = "wall"
-vertices = [[0,4,0],[4,4,0],[4,4,3],[0,4,3]]
-[[surface]]
-name = "west"
-finish = "wall"
-vertices = [[0,0,0],[0,4,0],[0,4,3],[0,0,3]]
-[[surface]]
-name = "east"
-finish = "wall"
-vertices = [[4,0,0],[4,0,3],[4,4,3],[4,4,0]]
+  side_zone 0.5 0.5 > side.zone.toml
+  cat >> side.zone.toml << 'EOF'
 [[sensors]]
 name = "eye"
 points = [[2, 2, 1.5, 0, -1, 0], [2, 2, 1.5, 0, 1, 0]]

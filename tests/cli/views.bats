@@ -3,12 +3,7 @@
 
 setup_file() {
   load common
-  export ROOM="$BATS_FILE_TMPDIR/room"
-  mkdir -p "$ROOM"
-  cp "$DIM_SOURCE"/tests/data/cli/* "$ROOM"
-  cd "$ROOM"
-  cat >> room.zone.toml <<'END'
-
+  make_room '
 [[view]]
 name = "plan"
 kind = "plan"
@@ -36,10 +31,7 @@ name = "hemi"
 kind = "hemispherical"
 eye = [2,1.5,1.2]
 focus = [3,1.5,1.2]
-size = [64,64]
-END
-  dimdis room.zone.toml --patches 8x16 --point-patches 16x32 -o room.rays
-  dimray room.rays room.lights.toml --quiet -o room.lum
+size = [64,64]'
 }
 setup() { load common; enter_copy; }
 

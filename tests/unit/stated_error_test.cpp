@@ -43,13 +43,11 @@ TEST_CASE("Surfaces of a cube state errors that hold", "[accuracy][unit]") {
   const double exact = 4 * kPi * 100.0 / (6 * a * a * (1 - rho));
   const Mix mix{1.0};
   const auto figures = surface_figures(database.cells(), cell_appearance(database, database.cells(), mix));
-  std::vector<double> mean_lx;
-  for (const auto& f : figures) mean_lx.push_back(f.illuminance_mean_lx);
-  const auto errors = surface_errors(database, mix, mean_lx);
+  const auto errors = surface_errors(database, mix, figures);
   REQUIRE(errors);
   REQUIRE(errors->size() == 6);
   for (std::size_t s = 0; s < 6; ++s) {
-    CHECK(std::abs(mean_lx[s] - exact) <= (*errors)[s].total_lx() + 1e-6 * exact);
+    CHECK(std::abs(figures[s].illuminance_mean_lx - exact) <= (*errors)[s].total_lx() + 1e-6 * exact);
     CHECK((*errors)[s].total_lx() < 0.05 * exact);
   }
 }
@@ -60,9 +58,9 @@ TEST_CASE("Errors of surfaces mix as light does", "[accuracy][unit]") {
   add_lamp(lights, "other", {-1, -0.5, 0.6}, IntensityTable::lambertian(80.0));
   const auto solution = solve(zone, lights, network_of(zone, {8, 16}));
   const LuminanceDatabase database(zone, Cells(zone), lights, solution);
-  const std::vector<double> lx(zone.surfaces.size(), 1.0);
-  const auto once = surface_errors(database, {1.0, 0.0}, lx), twice = surface_errors(database, {2.0, 0.0}, lx);
-  for (std::size_t s = 0; s < lx.size(); ++s) CHECK((*twice)[s].cells_lx == Approx(2.0 * (*once)[s].cells_lx));
+  const std::vector<SurfaceFigures> figures(zone.surfaces.size());
+  const auto once = surface_errors(database, {1.0, 0.0}, figures), twice = surface_errors(database, {2.0, 0.0}, figures);
+  for (std::size_t s = 0; s < figures.size(); ++s) CHECK((*twice)[s].cells_lx == Approx(2.0 * (*once)[s].cells_lx));
 }
 
 TEST_CASE("Without time nothing is refined", "[accuracy][unit]") {

@@ -74,12 +74,6 @@ std::vector<std::string> window_groups(const LuminanceDatabase& database) {
   return names;
 }
 
-std::size_t column_of(const DaylightOrigin& origin, const SkyPatches& patches) {
-  if (origin.part == DaylightPart::ground) return patches.ground();
-  const auto index = static_cast<std::size_t>(origin.patch);
-  return origin.part == DaylightPart::ramp ? patches.ramp(index) : index;
-}
-
 DaylightCoefficients stored_coefficients(const LuminanceDatabase& database, const WindowStates& states,
                                          const std::vector<std::string>& groups) {
   if (!database.sky() || database.sky()->subdivision == 0)

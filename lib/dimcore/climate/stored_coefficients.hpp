@@ -16,9 +16,6 @@ using WindowStates = std::map<std::string, std::string>;
 /// WindowStates from `GROUP=STATE` texts. @throws InputError  without a place: not of that form
 WindowStates parse_states(const std::vector<std::string>& texts);
 
-/// Column of the patches that a source of coefficients is.
-std::size_t column_of(const DaylightOrigin& origin, const SkyPatches& patches);
-
 /// Coefficients of the measuring points of a luminance database, all groups of windows together, each in its
 /// state: the one asked for or that of the zone file.
 /// @param groups  only the light of these groups of windows; empty: of all

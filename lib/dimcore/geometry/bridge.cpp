@@ -4,11 +4,10 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "geometry/segment.hpp"
 
 namespace dim {
 namespace {
-
-double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
 /// Whether the edges cross or touch elsewhere than in a common end.
 bool blocks(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q) {

@@ -19,8 +19,6 @@ constexpr double kNear = 1e-6;         // of the diameter
 constexpr double kShortest_px = 1e-6;  // pieces and lines shorter than that are nothing
 constexpr double kAsNear = 1e-9;       // relative difference of depths that counts as none
 
-double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
-
 struct Span {
   double start, end;  // along an edge's image, 0..1
 };

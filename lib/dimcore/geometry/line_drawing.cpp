@@ -10,6 +10,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/xml_text.hpp"
+
 namespace dim {
 namespace {
 
@@ -93,21 +95,6 @@ class Joiner {
   std::vector<bool> gone_;
   std::unordered_map<std::uint64_t, std::vector<std::size_t>> at_;
 };
-
-std::string xml_text(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (static_cast<unsigned char>(c) >= 0x20 || c == '\t' || c == '\n')
-      result += c;  // XML has no other control characters
-  }
-  return result;
-}
 
 }  // namespace
 

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "sky/direction.hpp"
-
 namespace dim {
 namespace {
 
@@ -31,8 +29,8 @@ int finish_in_state(const Surface& surface, const std::string& state) {
 
 DaylitView::DaylitView(const LuminanceDatabase& database, const Mix& mix)
     : database_(database),
-      patches_(subdivision_of(database)),
-      north_rad_(database.zone().site ? radians(database.zone().site->north_deg) : 0.0),
+      outside_light_(SkyPatches(subdivision_of(database)),
+                     database.zone().site ? radians(database.zone().site->north_deg) : 0.0),
       caster_(plates_of(database.zone()), database.zone().diameter_m) {
   Mix daylight = mix;
   for (std::size_t s = 0; s < mix.size(); ++s)
@@ -48,19 +46,13 @@ void DaylitView::find_outside(const Mix& mix) {
     const Source& source = database_.sources()[s];
     if (!source.daylight || mix[s] == 0.0) continue;
     Outside& outside = outside_[source.group];
-    outside.column_cd_m2.resize(patches_.n_columns(), 0.0);
-    outside.column_cd_m2[column_of(*source.daylight)] += mix[s];
+    outside.column_cd_m2.resize(outside_light_.n_columns(), 0.0);
+    outside.column_cd_m2[column_of(*source.daylight, outside_light_.patches())] += mix[s];
     outside.state = source.daylight->state;
     outside.as_it_stands = source.daylight->as_it_stands;
     outside.class_share.clear();
     for (const Vec3& xyz : source.xyz_by_class(database_.classes())) outside.class_share.push_back(xyz.y);
   }
-}
-
-std::size_t DaylitView::column_of(const DaylightOrigin& origin) const {
-  if (origin.part == DaylightPart::ground) return patches_.ground();
-  const auto number = static_cast<std::size_t>(origin.patch);
-  return origin.part == DaylightPart::ramp ? patches_.ramp(number) : number;
 }
 
 void DaylitView::find_panes() {
@@ -98,14 +90,9 @@ double DaylitView::through(std::size_t surface, const Vec3& at, const Vec3& dire
   double share = 0.0;
   for (std::size_t q = 0; q < pane.transmission.size(); ++q)
     share += pane.outside->class_share[q] * pane.transmission[q].at(std::min(1.0, cosine));
-  const auto& columns = pane.outside->column_cd_m2;
-  const Vec3 from_sky = to_sky(direction, north_rad_);
-  const std::size_t patch = patches_.patch_of(from_sky);
-  double cd_m2 = columns[patch];
-  if (patch != patches_.ground()) {
-    const std::size_t band = patches_.band_of(patch);
-    if (band < patches_.n_ramps()) cd_m2 += columns[patches_.ramp(band)] * patches_.ramp_cd_m2(band, from_sky.z);
-  }
+  double cd_m2 = 0.0;
+  outside_light_.open(direction).each_column(
+      [&](std::size_t column, double its_cd_m2) { cd_m2 += pane.outside->column_cd_m2[column] * its_cd_m2; });
   return share * cd_m2;
 }
 

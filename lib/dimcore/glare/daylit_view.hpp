@@ -7,15 +7,15 @@
 
 #include "geometry/ray_caster.hpp"
 #include "glare/daylight_glare.hpp"
+#include "light/outside_light.hpp"
 #include "reflection/glazing.hpp"
 #include "result/luminous.hpp"
-#include "sky/sky_patches.hpp"
 
 namespace dim {
 
 /// The light of day as an eye in a room sees it: surfaces with the luminance of their cells, the sky and the ground
-/// through glazings, each patch of the sky even but for its ramp (with the sun's light, which the mix spreads over the patches around
-/// it). External obstructions are black. Luminaires have no part in it.
+/// through glazings, each patch of the sky even but for its ramp (with the sun's light, which the mix spreads over the
+/// patches around it). External obstructions are black. Luminaires have no part in it.
 class DaylitView {
  public:
   /// @param mix  of daylight coefficients, as sky_mix has it
@@ -41,14 +41,12 @@ class DaylitView {
   };
 
   void find_outside(const Mix& mix);
-  std::size_t column_of(const DaylightOrigin& origin) const;
   void find_panes();
   double luminance_cd_m2(const Vec3& eye, const Vec3& direction) const;
   double through(std::size_t surface, const Vec3& at, const Vec3& direction) const;
 
   const LuminanceDatabase& database_;
-  SkyPatches patches_;
-  double north_rad_ = 0.0;
+  OutsideLight outside_light_;  // by patches
   std::map<std::string, Outside> outside_;  // by group
   std::vector<Pane> panes_;                 // [n_surfaces]
   std::vector<float> cell_cd_m2_;

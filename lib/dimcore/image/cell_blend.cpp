@@ -6,11 +6,10 @@
 #include <algorithm>
 
 #include "geometry/box_tree.hpp"
+#include "geometry/segment.hpp"
 
 namespace dim {
 namespace {
-
-double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
 bool crosses(const Segment2& s, const Segment2& t) {
   const Vec2 ds = s.b - s.a, dt = t.b - t.a;

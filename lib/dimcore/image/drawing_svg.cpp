@@ -2,27 +2,11 @@
 
 #include <iterator>
 
+#include "base/xml_text.hpp"
 #include "image/drawing.hpp"
 
 namespace dim {
 namespace {
-
-std::string xml_text(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '"')
-      result += "&quot;";
-    else if (static_cast<unsigned char>(c) >= 0x20)
-      result += c;  // XML has no other control characters
-  }
-  return result;
-}
 
 std::string hex(const Rgb8& colour) {
   return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);

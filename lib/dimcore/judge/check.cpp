@@ -127,12 +127,10 @@ class Checker {
   // A cell's own error is not known: the least is taken to be off by the same share as the mean.
   std::vector<Figures> of_all_surfaces(const Mix& mix) const {
     const auto surfaces = surface_figures(database_.cells(), cell_appearance(database_, database_.cells(), mix));
-    std::vector<double> mean_lx;
-    for (const auto& f : surfaces) mean_lx.push_back(f.illuminance_mean_lx);
-    const auto errors = surface_errors(database_, mix, mean_lx);
+    const auto errors = surface_errors(database_, mix, surfaces);
     std::vector<Figures> figures;
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
-      const double mean = mean_lx[s], u0 = mean > 0.0 ? surfaces[s].illuminance_min_lx / mean : 0.0;
+      const double mean = surfaces[s].illuminance_mean_lx, u0 = mean > 0.0 ? surfaces[s].illuminance_min_lx / mean : 0.0;
       const double error_lx = errors ? (*errors)[s].total_lx() : error_share_ * mean;
       figures.push_back({mean, u0, error_lx, u0_error(u0, mean, u0 * error_lx, error_lx)});
     }

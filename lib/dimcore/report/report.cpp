@@ -1,6 +1,7 @@
 #include "report/report.hpp"
 
 #include "base/version.hpp"
+#include "base/xml_text.hpp"
 #include "image/colour_map.hpp"
 #include "report/page_files.hpp"
 #include "report/parts.hpp"
@@ -12,19 +13,6 @@ namespace {
 std::vector<double> kept_shares(const LuminanceDatabase& database, const std::optional<Requirements>& requirements) {
   const Mix all(database.sources().size(), 1.0);
   return requirements ? maintained_mix(database, *requirements, all) : all;
-}
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else
-      result += c;
-  }
-  return result;
 }
 
 // JSON that can stand in a script element: nothing in it ends the element.
@@ -89,7 +77,7 @@ std::string report_page(const LuminanceDatabase& database, const ReportOptions& 
   put(page, "@STYLE@", page_file("report.css"));
   put(page, "@SCRIPT@", script);
   put(page, "@DATA@", in_script(data));
-  put(page, "@TITLE@", escaped(title));
+  put(page, "@TITLE@", xml_text(title));
   return page;
 }
 

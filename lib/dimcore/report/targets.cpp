@@ -41,10 +41,9 @@ class Targets {
       point_lx_.push_back(point_illuminance_lx(database, group.full));
       point_error_.push_back(point_errors(database, group.full));
       share_.push_back(stated_error(database, group.full));
-      std::vector<double> mean_lx;
-      for (const auto& f : surface_figures(database.cells(), cell_appearance(database, database.cells(), group.full)))
-        mean_lx.push_back(f.illuminance_mean_lx);
-      surface_error_.push_back(surface_errors(database, group.full, mean_lx));
+      appearance_.push_back(cell_appearance(database, database.cells(), group.full));
+      surface_figures_.push_back(surface_figures(database.cells(), appearance_.back()));
+      surface_error_.push_back(surface_errors(database, group.full, surface_figures_.back()));
     }
   }
 
@@ -79,13 +78,11 @@ class Targets {
     Json target = {{"name", zone_.surfaces[s].name}, {"kind", "surface"}, {"points", last - first}, {"left_out", 0},
                    {"weights", packed(areas)}, {"groups", Json::array()}};
     for (std::size_t g = 0; g < groups_.size(); ++g) {
-      const auto all = cell_illuminance_lx(database_, groups_[g].full);
+      const auto& all = appearance_[g].illuminance_lx;
       const std::vector<double> lx(all.begin() + static_cast<std::ptrdiff_t>(first),
                                    all.begin() + static_cast<std::ptrdiff_t>(last));
-      double sum = 0.0, area = 0.0;
-      for (std::size_t c = 0; c < lx.size(); ++c) sum += lx[c] * areas[c], area += areas[c];
-      const double mean_lx = area > 0.0 ? sum / area : 0.0;
-      const double error = surface_error_[g] ? (*surface_error_[g])[s].total_lx() : share_[g] * mean_lx;
+      const double error = surface_error_[g] ? (*surface_error_[g])[s].total_lx()
+                                             : share_[g] * surface_figures_[g][s].illuminance_mean_lx;
       target["groups"].push_back(
           {{"lx", packed(lx)}, {"error", packed(std::vector<double>(lx.size(), error))}, {"mean_error", error}});
     }
@@ -156,6 +153,8 @@ class Targets {
   const Job& job_;
   std::vector<std::vector<double>> point_lx_;                         // [n_groups][n_points]
   std::vector<std::optional<std::vector<PointError>>> point_error_;  // [n_groups]
+  std::vector<CellAppearance> appearance_;                            // [n_groups]
+  std::vector<std::vector<SurfaceFigures>> surface_figures_;          // [n_groups][n_surfaces]
   std::vector<std::optional<std::vector<PointError>>> surface_error_;  // [n_groups]
   std::vector<double> share_;                                         // [n_groups] of what has no error of its own
 };

@@ -98,7 +98,7 @@ StatedShare stated_share(const std::vector<PointError>& errors, const std::vecto
 }
 
 std::optional<std::vector<PointError>> surface_errors(const LuminanceDatabase& database, const Mix& mix,
-                                                      const std::vector<double>& mean_lx) {
+                                                      const std::vector<SurfaceFigures>& figures) {
   const std::size_t n = database.zone().surfaces.size();
   std::vector<double> cells(n, 0.0), rays(n, 0.0), direct_squares(n, 0.0);
   double bound = 0.0;
@@ -113,10 +113,13 @@ std::optional<std::vector<PointError>> surface_errors(const LuminanceDatabase& d
     for (std::size_t i = 0; i < n; ++i) direct_squares[i] += direct[i] * direct[i];
     bound = std::max(bound, source.error_bound);
   }
+  std::vector<double> mean_lx;
   std::vector<PointError> errors(n);
-  for (std::size_t i = 0; i < n; ++i)
+  for (std::size_t i = 0; i < n; ++i) {
+    mean_lx.push_back(figures[i].illuminance_mean_lx);
     errors[i] = {.cells_lx = std::abs(cells[i]), .cell_rays_lx = std::abs(rays[i]),
                  .direct_lx = std::sqrt(direct_squares[i]), .bound_lx = bound * mean_lx[i]};
+  }
   PointSet all;
   all.count = n;
   pool(all, mean_lx, &PointError::cell_rays_lx, errors);
@@ -124,17 +127,13 @@ std::optional<std::vector<PointError>> surface_errors(const LuminanceDatabase& d
 }
 
 std::optional<SurfaceLight> surface_light(const LuminanceDatabase& database, const Mix& mix) {
-  std::vector<double> mean_lx, area_m2;
-  for (const auto& f : surface_figures(database.cells(), cell_appearance(database, database.cells(), mix))) {
-    mean_lx.push_back(f.illuminance_mean_lx);
-    area_m2.push_back(f.area_m2);
-  }
-  const auto errors = surface_errors(database, mix, mean_lx);
+  const auto figures = surface_figures(database.cells(), cell_appearance(database, database.cells(), mix));
+  const auto errors = surface_errors(database, mix, figures);
   if (!errors) return std::nullopt;
   SurfaceLight light;
-  for (std::size_t s = 0; s < mean_lx.size(); ++s) {
-    light.lm += area_m2[s] * mean_lx[s];
-    light.error_lm += area_m2[s] * (*errors)[s].total_lx();
+  for (std::size_t s = 0; s < figures.size(); ++s) {
+    light.lm += figures[s].area_m2 * figures[s].illuminance_mean_lx;
+    light.error_lm += figures[s].area_m2 * (*errors)[s].total_lx();
   }
   return light;
 }

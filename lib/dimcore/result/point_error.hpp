@@ -38,9 +38,10 @@ StatedShare stated_share(const std::vector<PointError>& errors, const std::vecto
 
 /// Of the mean illuminances of surfaces, the same way: what the correction for the cells' size changes of them, and what
 /// half of their cells' rays would (`cell_rays_lx`).
+/// @param figures  of the same mix, see `surface_figures`
 /// @returns [n_surfaces]; nothing where the solution does not know
 std::optional<std::vector<PointError>> surface_errors(const LuminanceDatabase& database, const Mix& mix,
-                                                      const std::vector<double>& mean_lx);
+                                                      const std::vector<SurfaceFigures>& figures);
 
 /// The light of all surfaces, lm, and what it is stated to be off by.
 struct SurfaceLight {

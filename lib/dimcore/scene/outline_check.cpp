@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "database/toml_reader.hpp"
+#include "geometry/segment.hpp"
 
 namespace dim {
 namespace {
@@ -51,8 +52,6 @@ struct Edge {
   double low_x() const { return std::min(a.x, b.x); }
   double high_x() const { return std::max(a.x, b.x); }
 };
-
-double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
 double distance_to_edge(const Vec2& p, const Edge& e) {
   const Vec2 d = e.b - e.a;

@@ -39,6 +39,7 @@ class Builder {
         plan_(plan),
         shine_(shine),
         options_(options),
+        n_lit_(plan.source_of.empty() ? 0 : *std::max_element(plan.source_of.begin(), plan.source_of.end()) + 1),
         mirrored_(room, plan, shine),
         on_lobes_(shine.n_off_specular()),
         on_mirrors_(plan.has_mirrors ? room.cells.size() : 0) {
@@ -103,13 +104,13 @@ class Builder {
   void add_luminaires(const Job& job) {
     const Order& own = new_order(own_sources(room_.zone, room_.lights, plan_.tests_visibility));
     own_point_lx_.assign(room_.zone.points.size() * n_luminaires(), 0.0);
-    std::vector<float> of_cells(room_.cells.size() * plan_.n_sources(), 0.0F);
+    std::vector<float> of_cells(room_.cells.size() * n_lit_, 0.0F);
     direct_light(
         room_.zone, room_.cells, own.integrators,
         [&](std::size_t i, std::size_t e, const DirectEstimate& direct) {
           on_cell({i, &own.integrators[e], direct.lx});
           const double area_m2 = room_.cells[i].area_m2;
-          of_cells[i * plan_.n_sources() + plan_.source_of[e]] +=
+          of_cells[i * n_lit_ + plan_.source_of[e]] +=
               static_cast<float>(area_m2 * area_m2 * direct.variance_lx2);
         },
         [&](std::size_t p, std::size_t e, const DirectEstimate& direct) {
@@ -123,16 +124,16 @@ class Builder {
     add_surface_variance(of_cells);
   }
 
-  // @param of_cells  [n_cells, n_sources] times the square of their area
+  // @param of_cells  [n_cells, n_lit_] times the square of their area
   void add_surface_variance(const std::vector<float>& of_cells) {
-    const std::size_t n_sources = plan_.n_sources();
     for (std::size_t s = 0; s < room_.cells.n_surfaces(); ++s) {
       double area_m2 = 0.0;
       for (std::size_t i = room_.cells.first(s); i < room_.cells.first(s + 1); ++i) area_m2 += room_.cells[i].area_m2;
       double* to = &result_.surface_variance_lx2[s * result_.n_columns];
       for (std::size_t i = room_.cells.first(s); i < room_.cells.first(s + 1); ++i)
-        for (std::size_t c = 0; c < result_.n_columns; ++c)
-          to[c] += static_cast<double>(of_cells[i * n_sources + c % n_sources]) / (area_m2 * area_m2);
+        for (std::size_t first = 0; first < result_.n_columns; first += plan_.n_sources())
+          for (std::size_t lit = 0; lit < n_lit_; ++lit)
+            to[first + lit] += static_cast<double>(of_cells[i * n_lit_ + lit]) / (area_m2 * area_m2);
     }
   }
 
@@ -267,6 +268,7 @@ class Builder {
   const ModelPlan& plan_;
   const Shine& shine_;
   MirrorOptions options_;
+  const std::size_t n_lit_;  // sources of luminaires: the first ones, those of daylight follow
   std::vector<std::unique_ptr<Order>> orders_;
   MirroredLight mirrored_;
   DirectColumns result_;

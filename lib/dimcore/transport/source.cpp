@@ -4,6 +4,13 @@
 #include <cmath>
 
 namespace dim {
+
+std::size_t column_of(const DaylightOrigin& origin, const SkyPatches& patches) {
+  if (origin.part == DaylightPart::ground) return patches.ground();
+  const auto index = static_cast<std::size_t>(origin.patch);
+  return origin.part == DaylightPart::ramp ? patches.ramp(index) : index;
+}
+
 namespace {
 
 std::string combined_name(const Luminaire& luminaire, Combine how) {

@@ -32,6 +32,9 @@ struct DaylightOrigin {
   bool as_it_stands = true;  ///< the state they have in the zone file; others count where they are asked for
 };
 
+/// The column of SkyPatches that a source of coefficients is.
+std::size_t column_of(const DaylightOrigin& origin, const SkyPatches& patches);
+
 /// The outside that a solution was made for.
 struct SkyRecord {
   int subdivision = 0;         ///< of coefficients: 1, 2 or 4, the columns of SkyPatches at 1 cd/m2; 0: one sky
