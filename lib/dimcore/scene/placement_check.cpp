@@ -131,12 +131,14 @@ std::vector<ShellCut> warn_of_bodies(const Zone& zone, const std::vector<Body>& 
     if (body.outside) continue;
     const auto n_outside = std::count_if(body.extremes.begin(), body.extremes.end(),
                                          [&](const Vec3& p) { return test.outside(p); });
-    if (n_outside == 0) continue;
-    if (n_outside == static_cast<std::ptrdiff_t>(body.extremes.size())) {
+    // A body may stand in the zone with every corner outside, and be pierced by a corner of it with none.
+    const bool pierced = goes_through_shell(zone.surfaces, body.faces, touch_m);
+    if (n_outside == 0 && !pierced) continue;
+    if (n_outside == static_cast<std::ptrdiff_t>(body.extremes.size()) && !pierced) {
       outside.add(body);
       continue;
     }
-    const auto found = find_shell_cuts(zone.surfaces, body.faces, body.extremes, test, touch_m);
+    const auto found = find_shell_cuts(zone.surfaces, body.faces, test, touch_m);
     (found.empty() ? through : cut_off).add(body);
     cuts.insert(cuts.end(), found.begin(), found.end());
   }
@@ -157,7 +159,9 @@ std::vector<ShellCut> warn_of_bodies(const Zone& zone, const std::vector<Body>& 
                      unit_name(zone.unit_m))});
   };
   warn_of_through(cut_off, "the part outside is cut off");
-  warn_of_through(through, "a part lies outside");
+  warn_of_through(through,
+                  "they cannot end it there, so it is kept whole; what lies outside stays dark and counts in its "
+                  "figures");
   return cuts;
 }
 

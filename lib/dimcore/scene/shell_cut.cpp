@@ -4,48 +4,74 @@
 #include <cmath>
 
 #include "geometry/clip.hpp"
+#include "geometry/convex_body.hpp"
+#include "scene/coplanar_pairs.hpp"
 
 namespace dim {
 namespace {
 
-/// Where the outline of a body crosses a plane; each edge of a box comes twice.
-std::vector<Vec3> section(const std::vector<Surface>& surfaces, const BodyFaces& body, const Frame& plane,
-                          double touch_m) {
-  std::vector<Vec3> points;
+ConvexBody shape_of(const std::vector<Surface>& surfaces, const BodyFaces& body) {
+  if (body.n == 1) return hull_of(surfaces[body.first].polygon);
+  ConvexBody shape;
   for (std::size_t f = body.first; f < body.first + body.n; ++f)
-    for (const auto& ring : surfaces[f].polygon.corners())
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Vec3 &a = ring[i], &b = ring[(i + 1) % ring.size()];
-        const double height_a = plane.height(a), height_b = plane.height(b);
-        if (std::min(height_a, height_b) > -touch_m || std::max(height_a, height_b) < touch_m) continue;
-        points.push_back(a + (b - a) * (height_a / (height_a - height_b)));
+    shape.faces.push_back(surfaces[f].polygon.corners().front());
+  return shape;
+}
+
+std::vector<const Polygon*> walls_through(const std::vector<Surface>& surfaces, const ConvexBody& body,
+                                          double touch_m) {
+  std::vector<const Polygon*> walls;
+  for (const auto& surface : surfaces)
+    if (surface.bounding && surface.parent < 0 && pierces(surface.polygon, body, touch_m))
+      walls.push_back(&surface.polygon);
+  return walls;
+}
+
+bool in_plane(const Polygon& wall, const Frame& plane, double touch_m) {
+  return glm::dot(wall.normal(), plane.n) > 0.0 && lies_in_plane(wall, plane, touch_m);
+}
+
+std::vector<Frame> planes_of(const std::vector<const Polygon*>& walls, double touch_m) {
+  std::vector<Frame> planes;
+  for (const auto* wall : walls)
+    if (std::none_of(planes.begin(), planes.end(), [&](const Frame& p) { return in_plane(*wall, p, touch_m); }))
+      planes.push_back(wall->frame());
+  return planes;
+}
+
+Frame turned(const Frame& plane) { return {plane.origin, plane.v, plane.u, -plane.n}; }
+
+/// Whether walls of one plane close it where the section lies.
+bool is_covered(const Ring3& section, const Frame& plane, const std::vector<const Polygon*>& walls, double touch_m) {
+  Region2 open = section_region(section, plane, touch_m);
+  for (const auto* wall : walls)
+    if (in_plane(*wall, plane, touch_m)) {
+      Region2 there;
+      for (const auto& ring : wall->corners()) {
+        there.emplace_back();
+        for (const auto& p : ring) there.back().push_back(plane.to_local(p));
       }
-  return points;
+      open = clip_difference(open, there);
+    }
+  return without_slivers(std::move(open), 2.0 * touch_m).empty();
 }
 
-bool lies_within(const std::vector<Vec3>& section, const Polygon& wall, double touch_m) {
-  for (const auto& a : section)
-    for (const auto& b : section)
-      if (!wall.contains(wall.frame().to_local((a + b) / 2.0), touch_m)) return false;
-  return !section.empty();
+bool is_pierced(const ConvexBody& body, const std::vector<const Polygon*>& walls, double touch_m) {
+  return std::any_of(walls.begin(), walls.end(), [&](const Polygon* wall) { return pierces(*wall, body, touch_m); });
 }
 
-/// Counter-clockwise seen from behind the plane.
-Ring3 ring_behind(const std::vector<Vec3>& section, const Frame& plane, double touch_m) {
-  Ring3 ring;
-  Vec2 middle(0.0);
-  for (const auto& p : section) {
-    if (std::any_of(ring.begin(), ring.end(), [&](const Vec3& q) { return glm::length(p - q) <= touch_m; })) continue;
-    ring.push_back(p);
-    middle += plane.to_local(p);
-  }
-  middle /= static_cast<double>(ring.size());
-  const auto angle = [&](const Vec3& p) {
-    const Vec2 d = plane.to_local(p) - middle;
-    return std::atan2(d.y, d.x);
+/// Whether a face of a box remains that does not lie against a wall.
+bool is_seen(const ConvexBody& body, const std::vector<Surface>& surfaces, double touch_m) {
+  if (body.flat()) return true;
+  const auto lies_against = [&](const Ring3& face, const Surface& wall) {
+    return wall.bounding && std::all_of(face.begin(), face.end(), [&](const Vec3& p) {
+             return std::abs(wall.polygon.frame().height(p)) <= touch_m;
+           });
   };
-  std::sort(ring.begin(), ring.end(), [&](const Vec3& a, const Vec3& b) { return angle(a) > angle(b); });
-  return ring;
+  return std::any_of(body.faces.begin(), body.faces.end(), [&](const Ring3& face) {
+    return std::none_of(surfaces.begin(), surfaces.end(),
+                        [&](const Surface& wall) { return lies_against(face, wall); });
+  });
 }
 
 /// Not a sliver that leaves nothing to close.
@@ -92,6 +118,13 @@ std::vector<std::size_t> surfaces_of(const std::vector<Surface>& surfaces, const
   return all;
 }
 
+std::string name_of_end(const std::vector<Surface>& surfaces, const std::string& first_face) {
+  for (int i = 1;; ++i) {
+    const std::string name = first_face + (i == 1 ? ".end" : ".end" + std::to_string(i));
+    if (std::none_of(surfaces.begin(), surfaces.end(), [&](const Surface& s) { return s.name == name; })) return name;
+  }
+}
+
 // The end takes the place of a face that is gone, so that it keeps the face's name; else it is one more.
 void close_box(std::vector<Surface>& surfaces, std::vector<SurfaceLink>& links, const BodyFaces& body,
                const Ring3& end) {
@@ -103,7 +136,7 @@ void close_box(std::vector<Surface>& surfaces, std::vector<SurfaceLink>& links, 
     return;
   }
   Surface face = surfaces[body.first];
-  face.name += ".end";
+  face.name = name_of_end(surfaces, face.name);
   face.polygon = Polygon(end);
   surfaces.push_back(std::move(face));
   links.push_back({"", {}, true});
@@ -111,30 +144,41 @@ void close_box(std::vector<Surface>& surfaces, std::vector<SurfaceLink>& links, 
 
 }  // namespace
 
+bool goes_through_shell(const std::vector<Surface>& surfaces, const BodyFaces& body, double touch_m) {
+  return !walls_through(surfaces, shape_of(surfaces, body), 10.0 * touch_m).empty();
+}
+
+// Exact, since body and parts are convex: a part that no wall pierces lies on one side of the shell as a whole.
 std::vector<ShellCut> find_shell_cuts(const std::vector<Surface>& surfaces, const BodyFaces& body,
-                                      const std::vector<Vec3>& extremes, const InsideTest& test, double touch_m) {
+                                      const InsideTest& test, double touch_m) {
+  const ConvexBody whole = shape_of(surfaces, body);
+  const auto walls = walls_through(surfaces, whole, touch_m);
+  const auto planes = planes_of(walls, touch_m);
+  ConvexBody inside = whole;
+  for (const auto& plane : planes) inside = front_of(inside, plane, touch_m);
+  if (planes.empty() || !is_seen(inside, surfaces, touch_m) || is_pierced(inside, walls, touch_m) ||
+      test.outside(middle_of(inside)))
+    return {};
   std::vector<ShellCut> cuts;
-  for (std::size_t wall = 0; wall < surfaces.size(); ++wall) {
-    const Surface& surface = surfaces[wall];
-    if (!surface.bounding || surface.parent >= 0) continue;
-    const Frame& plane = surface.polygon.frame();
-    if (!lies_within(section(surfaces, body, plane, touch_m), surface.polygon, touch_m)) continue;
-    const bool all_outside = std::all_of(extremes.begin(), extremes.end(), [&](const Vec3& p) {
-      return plane.height(p) > -touch_m || test.outside(p);
-    });
-    if (all_outside) cuts.push_back({body, wall});
+  for (const auto& plane : planes) {
+    const ConvexBody behind = front_of(whole, turned(plane), touch_m);
+    if (is_pierced(behind, walls, touch_m) || !test.outside(middle_of(behind))) return {};
+    ConvexBody up_to_wall = whole;
+    for (const auto& other : planes)
+      if (&other != &plane) up_to_wall = front_of(up_to_wall, other, touch_m);
+    Ring3 end = section(up_to_wall, plane, touch_m);
+    if (!is_covered(end, plane, walls, touch_m)) return {};
+    std::reverse(end.begin(), end.end());
+    cuts.push_back({body, plane, std::move(end)});
   }
   return cuts;
 }
 
-void cut_at_shell(std::vector<Surface>& surfaces, std::vector<SurfaceLink>& links, const std::vector<Surface>& whole,
-                  const std::vector<ShellCut>& cuts, double touch_m) {
+void cut_at_shell(std::vector<Surface>& surfaces, std::vector<SurfaceLink>& links, const std::vector<ShellCut>& cuts,
+                  double touch_m) {
   for (const auto& cut : cuts) {
-    const Frame& plane = whole[cut.wall].polygon.frame();
-    for (const std::size_t i : surfaces_of(surfaces, cut.body)) clip_behind(surfaces[i].polygon, plane, touch_m);
-    if (cut.body.n == 1) continue;
-    const Ring3 end = ring_behind(section(whole, cut.body, plane, touch_m), plane, touch_m);
-    if (is_wide(end, touch_m)) close_box(surfaces, links, cut.body, end);
+    for (const std::size_t i : surfaces_of(surfaces, cut.body)) clip_behind(surfaces[i].polygon, cut.plane, touch_m);
+    if (cut.body.n > 1 && is_wide(cut.end, touch_m)) close_box(surfaces, links, cut.body, cut.end);
   }
 }
 

@@ -221,7 +221,7 @@ class ZoneAssembly {
     cut_overlaps(cut, zone_.surfaces, overlaps, touch_m);
     const auto cuts = check_whole(overlaps, touch_m);
     problems_.throw_if_any();
-    cut_at_shell(cut, links_, zone_.surfaces, cuts, touch_m);
+    cut_at_shell(cut, links_, cuts, touch_m);
     zone_.surfaces = std::move(cut);
     remove_contacts(zone_.surfaces, links_, touch_m, warnings_);
     refuse_windows_in_partitions();

@@ -123,8 +123,10 @@ std::vector<double> ConjugateResiduals::reduce() {
   if (propagation_.has_mirrors() && !propagation_.has_lobes()) propagation_.send(exitance_, arriving_);
   return propagation_.sums().add<float>(1, [&](std::size_t first, std::size_t last, float* into) {
     std::vector<double> of_run;
-    const double* arriving = arriving_.data() + first * width_;
-    if (arriving_.empty()) {
+    const double* arriving = nullptr;
+    if (!arriving_.empty()) {
+      arriving = arriving_.data() + first * width_;
+    } else {
       of_run.resize((last - first) * width_);
       gather_rows(network.sinks, network.patches, network.has_family() ? &network.extra : nullptr,
                   exitance_.data(), width_, first, last, of_run.data());
