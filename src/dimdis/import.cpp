@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "base/atomic_file.hpp"
@@ -39,6 +40,25 @@ Vec3 point_in(const std::string& text) {
     throw UsageError(fmt::format(
         "--inside '{}' does not read like 2.5,1.8,1.2\n        write x,y,z in metres, z up", text));
   return point;
+}
+
+bool says_where_light_leaves(const Problem& warning) { return warning.what.starts_with("the zone is not closed"); }
+
+/// One warning a kind, but for the few longest gaps: models of other programs have the same fault in hundreds of
+/// places.
+Warnings one_of_each(const Warnings& warnings) {
+  Warnings kinds;
+  std::vector<std::size_t> n;
+  for (const Problem& warning : warnings) {
+    const auto same = std::find_if(kinds.begin(), kinds.end(), [&](const Problem& kind) {
+      return !kind.cure.empty() && kind.cure == warning.cure && !says_where_light_leaves(kind);
+    });
+    ++(same == kinds.end() ? n.emplace_back(0) : n[static_cast<std::size_t>(same - kinds.begin())]);
+    if (same == kinds.end()) kinds.push_back(warning);
+  }
+  for (std::size_t i = 0; i < kinds.size(); ++i)
+    if (n[i] > 1) kinds[i].what += fmt::format(" (and {} more like it)", n[i] - 1);
+  return kinds;
 }
 
 }  // namespace
@@ -139,12 +159,12 @@ bool ImportCommand::is_sound(const std::string& zone) const {
     read_zone(zone, name, {}, 0.0, database_search("", output_), warnings);
   } catch (const InputError& error) {
     // The file is worth having all the same: these are places to be mended by hand.
-    program_.warn(warnings);
+    program_.warn(one_of_each(warnings));
     program_.warn(error.problems());
     return false;
   }
   if (strict_ && !warnings.empty()) throw InputError(warnings, warnings.size());
-  program_.warn(warnings);
+  program_.warn(one_of_each(warnings));
   return true;
 }
 

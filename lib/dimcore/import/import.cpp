@@ -6,11 +6,15 @@
 #include <array>
 
 #include "geometry/box_tree.hpp"
+#include "import/dae.hpp"
 #include "import/flat_faces.hpp"
+#include "import/gltf.hpp"
 #include "import/obj.hpp"
 #include "import/placing.hpp"
+#include "import/ply.hpp"
 #include "import/room_figures.hpp"
 #include "import/spaces.hpp"
+#include "import/stl.hpp"
 #include "import/welding.hpp"
 #include "import/zone_numbers.hpp"
 #include "import/zone_writer.hpp"
@@ -25,7 +29,11 @@ struct Format {
 };
 
 const std::vector<Format>& formats() {
-  static const std::vector<Format> all = {{"obj", {".obj"}, read_obj}};
+  static const std::vector<Format> all = {{"obj", {".obj"}, read_obj},
+                                          {"ply", {".ply"}, read_ply},
+                                          {"stl", {".stl"}, read_stl},
+                                          {"gltf", {".gltf", ".glb"}, read_gltf},
+                                          {"dae", {".dae"}, read_dae}};
   return all;
 }
 

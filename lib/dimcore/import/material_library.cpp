@@ -29,7 +29,7 @@ class LibraryReader {
       else if (material_ >= 0)
         statement(words);
       else
-        problems_.add(place_, fmt::format("{} stands before the first newmtl", quoted(words[0])));
+        problems_.add(place_, fmt::format("{} stands before the first newmtl", dim::quoted(words[0])));
     }
     problems_.throw_if_any();
     unknowns_.tell(model_.warnings);
@@ -51,7 +51,7 @@ class LibraryReader {
       const auto colour = colour_of(words);
       if (colour && luminous((*colour)[0], (*colour)[1], (*colour)[2]) > 0.0)
         unknowns_.add(fmt::format("material {}: light of its own (Ke) has no unit and is left out",
-                                  quoted(material().name)),
+                                  dim::quoted(material().name)),
                       place_, "write luminaires in the lights file");
     } else if (words[0].substr(0, 4) == "map_" || words[0] == "bump" || words[0] == "disp" ||
                words[0] == "decal" || words[0] == "refl") {
@@ -62,7 +62,8 @@ class LibraryReader {
                words[0] == "illum" || words[0] == "Tf" || words[0] == "sharpness") {
       // Phong's figures for a picture, no measures of what is reflected.
     } else {
-      unknowns_.add(fmt::format("statement {} of a material is not understood", quoted(words[0])), place_);
+      unknowns_.add(fmt::format("statement {} of a material is not understood", dim::quoted(words[0])),
+                    place_);
     }
   }
 

@@ -61,7 +61,8 @@ class ObjReader {
              words[0] == "maplib")
       return;
     else
-      unknowns_.add(fmt::format("statement {} is not understood and left out", quoted(words[0])), place_);
+      unknowns_.add(fmt::format("statement {} is not understood and left out", dim::quoted(words[0])),
+                    place_);
   }
 
   void vertex(const Words& words) {
@@ -102,7 +103,7 @@ class ObjReader {
     if (is_number && index >= 1 && index <= n) return static_cast<std::size_t>(index - 1);
     if (is_number && index < 0 && index >= -n) return static_cast<std::size_t>(n + index);
     problems_.add(place_,
-                  fmt::format("corner {} of a face is none of the {} vertices so far", quoted(word), n));
+                  fmt::format("corner {} of a face is none of the {} vertices so far", dim::quoted(word), n));
     return std::nullopt;
   }
 
@@ -111,7 +112,7 @@ class ObjReader {
     if (read_library(rest)) return;
     for (std::size_t i = 1; words.size() > 2 && i < words.size(); ++i)
       if (read_library(std::string(words[i]))) return;
-    unknowns_.add(fmt::format("material library {} is not there", quoted(rest)), place_,
+    unknowns_.add(fmt::format("material library {} is not there", dim::quoted(rest)), place_,
                   "put it beside the model: without it reflectances are assumed");
   }
 

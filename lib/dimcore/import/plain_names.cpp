@@ -24,7 +24,8 @@ std::string PlainNames::plain(const std::string& raw) {
   if (known != plain_.end()) return known->second;
   std::string name(trimmed(cut(to_utf8(raw))));
   if (name.empty()) name = fallback_;
-  if (!raw.empty() && name != trimmed(raw)) replaced_.push_back(fmt::format("{} → {}", quoted(raw), name));
+  if (!raw.empty() && name != trimmed(raw))
+    replaced_.push_back(fmt::format("{} → {}", dim::quoted(raw), name));
   plain_.emplace(raw, name);
   return name;
 }

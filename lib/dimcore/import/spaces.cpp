@@ -157,11 +157,12 @@ class Spaces {
     turn_round(face);
   }
 
-  /// A sheet that lies on a wall is lit as the wall is.
+  /// A sheet that lies on a wall, which says nothing by what it sees, is lit as the wall is.
   void lay_sheets_on(std::vector<Facing>& facings, ImportReport& report) {
     for (std::uint32_t f = 0; f < mesh_.faces.size(); ++f) {
       MeshFace& face = mesh_.faces[f];
-      if (facings[f] != Facing::both || face.lit != Lit::unknown) continue;
+      const bool is_sheet = !sides_.parts[sides_.part_of[2 * f]].closed && facings[f] != Facing::front;
+      if (!is_sheet || face.lit != Lit::unknown) continue;
       const auto under = sight_.lies_against(f);
       if (!under || facings[*under] != Facing::front) continue;
       facings[f] = Facing::front;

@@ -1,15 +1,22 @@
 #include "import/token_line.hpp"
 
-namespace dim {
+#include <algorithm>
 
-std::vector<std::string_view> words_of(std::string_view line) {
+namespace dim {
+namespace {
+
+constexpr const char* kBlanks = " \t\r\n\f\v";
+
+}  // namespace
+
+std::vector<std::string_view> words_of(std::string_view text) {
   std::vector<std::string_view> words;
   std::size_t i = 0;
   while (true) {
-    i = line.find_first_not_of(" \t\r\f\v", i);
+    i = text.find_first_not_of(kBlanks, i);
     if (i == std::string_view::npos) return words;
-    const std::size_t end = std::min(line.find_first_of(" \t\r\f\v", i), line.size());
-    words.push_back(line.substr(i, end - i));
+    const std::size_t end = std::min(text.find_first_of(kBlanks, i), text.size());
+    words.push_back(text.substr(i, end - i));
     i = end;
   }
 }

@@ -5,8 +5,8 @@
 
 namespace dim {
 
-/// Words of a line, separated by blanks and tabs.
-std::vector<std::string_view> words_of(std::string_view line);
+/// Words of a text, separated by blanks, tabs and line ends.
+std::vector<std::string_view> words_of(std::string_view text);
 
 /// Goes through a text by lines that end in LF or CR LF.
 class LineReader {
