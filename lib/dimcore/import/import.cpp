@@ -12,6 +12,7 @@
 #include "import/obj.hpp"
 #include "import/placing.hpp"
 #include "import/ply.hpp"
+#include "import/radiance.hpp"
 #include "import/room_figures.hpp"
 #include "import/spaces.hpp"
 #include "import/stl.hpp"
@@ -29,11 +30,9 @@ struct Format {
 };
 
 const std::vector<Format>& formats() {
-  static const std::vector<Format> all = {{"obj", {".obj"}, read_obj},
-                                          {"ply", {".ply"}, read_ply},
-                                          {"stl", {".stl"}, read_stl},
-                                          {"gltf", {".gltf", ".glb"}, read_gltf},
-                                          {"dae", {".dae"}, read_dae}};
+  static const std::vector<Format> all = {{"obj", {".obj"}, read_obj}, {"ply", {".ply"}, read_ply},
+                                          {"stl", {".stl"}, read_stl}, {"gltf", {".gltf", ".glb"}, read_gltf},
+                                          {"dae", {".dae"}, read_dae}, {"radiance", {".rad"}, read_radiance}};
   return all;
 }
 

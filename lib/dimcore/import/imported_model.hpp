@@ -25,6 +25,7 @@ struct ImportedMaterial {
   std::optional<double> transmittance;         ///< of a glazing, at normal incidence
   double ior = 1.52;                           ///< of a glazing
   bool scattering = false;                     ///< a glazing that scatters what it lets through
+  double direct = 0.0;                         ///< of a scattering one: the part that goes straight on
   std::optional<double> luminance_cd_m2;       ///< of a light: what is made of it is a luminaire, no surface
 };
 
@@ -49,7 +50,7 @@ struct ImportedFace {
 struct ImportedLuminaire {
   std::string name;
   std::string photometry;  ///< path of its photometric file; empty: ideal, Lambertian
-  double lumens = 0.0;     ///< of an ideal one
+  double lumens = 0.0;     ///< of an ideal one, if the unit is a metre: grows with its square
   Vec3 at{0.0};
   Vec3 aim{0, 0, -1};
   std::optional<Vec3> c0;

@@ -73,9 +73,11 @@ void place_model(ImportedModel& model, std::optional<double> unit_m, std::option
                             "coordinates must be finite and within 1e9 m; is the unit right?"});
       },
       direction);
-  for (ImportedLuminaire& luminaire : model.luminaires)
+  for (ImportedLuminaire& luminaire : model.luminaires) {
+    luminaire.lumens *= scale * scale;
     if (luminaire.opening)
       for (double& length : *luminaire.opening) length *= scale;
+  }
 }
 
 void warn_of_improbable_size(const ImportedModel& model, double unit_m, Warnings& warnings) {

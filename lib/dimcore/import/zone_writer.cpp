@@ -61,7 +61,12 @@ class FinishWriter {
   static std::string glazing(const ImportedMaterial& material, const std::string&) {
     std::string keys =
         fmt::format("transmittance = {}", number(std::clamp(*material.transmittance, 0.0, 1.0)));
-    if (material.scattering) return "{ " + keys + ", angular_law = \"diffusing\" }";
+    if (material.scattering) {
+      keys += ", angular_law = \"diffusing\"";
+      if (material.direct > 0.0) keys += fmt::format(", direct = {}", number(material.direct));
+      if (material.diffuse) keys += fmt::format(", reflectance = {}", number(*material.diffuse));
+      return "{ " + keys + " }";
+    }
     if (material.ior != 1.52) keys += fmt::format(", ior = {}", number(material.ior));
     return "{ " + keys + " }";
   }
