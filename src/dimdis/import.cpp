@@ -42,10 +42,12 @@ Vec3 point_in(const std::string& text) {
   return point;
 }
 
-bool says_where_light_leaves(const Problem& warning) { return warning.what.starts_with("the zone is not closed"); }
+bool says_where_light_leaves(const Problem& warning) {
+  return warning.what.starts_with("the zone is not closed");
+}
 
-/// One warning a kind, but for the few longest gaps: models of other programs have the same fault in hundreds of
-/// places.
+/// One warning a kind, but for the few longest gaps: models of other programs have the same fault in hundreds
+/// of places.
 Warnings one_of_each(const Warnings& warnings) {
   Warnings kinds;
   std::vector<std::size_t> n;
@@ -150,6 +152,15 @@ void ImportCommand::write_lights(const ImportResult& result) const {
                     "`dimdis new … --lights-out` writes lights to begin with"}});
   else
     write_file(lights_, result.lights);
+  const std::filesystem::path folder = lights_ == "-" ? "" : std::filesystem::path(lights_).parent_path();
+  for (const ImportedFile& file : result.files) {
+    const std::string path = (folder / file.name).string();
+    std::error_code ignored;
+    if (std::filesystem::exists(path, ignored) && read_text_file(path, kMaxImportBytes) != file.bytes)
+      throw IoError(
+          path, "is there already and differs from what the model carries; remove it, or write elsewhere");
+    write_file(path, file.bytes);
+  }
 }
 
 bool ImportCommand::is_sound(const std::string& zone) const {

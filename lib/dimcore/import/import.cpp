@@ -8,7 +8,9 @@
 #include "geometry/box_tree.hpp"
 #include "import/dae.hpp"
 #include "import/flat_faces.hpp"
+#include "import/gbxml.hpp"
 #include "import/gltf.hpp"
+#include "import/hbjson.hpp"
 #include "import/obj.hpp"
 #include "import/placing.hpp"
 #include "import/ply.hpp"
@@ -30,9 +32,11 @@ struct Format {
 };
 
 const std::vector<Format>& formats() {
-  static const std::vector<Format> all = {{"obj", {".obj"}, read_obj}, {"ply", {".ply"}, read_ply},
-                                          {"stl", {".stl"}, read_stl}, {"gltf", {".gltf", ".glb"}, read_gltf},
-                                          {"dae", {".dae"}, read_dae}, {"radiance", {".rad"}, read_radiance}};
+  static const std::vector<Format> all = {
+      {"obj", {".obj"}, read_obj},          {"ply", {".ply"}, read_ply},
+      {"stl", {".stl"}, read_stl},          {"gltf", {".gltf", ".glb"}, read_gltf},
+      {"dae", {".dae"}, read_dae},          {"radiance", {".rad"}, read_radiance},
+      {"hbjson", {".hbjson"}, read_hbjson}, {"gbxml", {".gbxml", ".xml"}, read_gbxml}};
   return all;
 }
 
@@ -124,6 +128,7 @@ ImportResult import_file(const ImportInput& input, const std::string& format, co
   const ZoneHeading heading = {options.zone_name, fmt::format("{} ({})", input.name, model.format)};
   result.zone = zone_text(model, mesh, facings, heading, report, result.warnings);
   if (!model.luminaires.empty()) result.lights = lights_text(model, heading);
+  result.files = std::move(model.files);
   return result;
 }
 

@@ -20,8 +20,9 @@ struct ImportOptions {
 
 struct ImportResult {
   std::string zone;
-  std::string lights;       ///< empty where the file has none
-  std::string conventions;  ///< "OBJ, metres (assumed), z up (assumed), gaps up to 0.09 mm closed"
+  std::string lights;               ///< empty where the file has none
+  std::vector<ImportedFile> files;  ///< that the lights file names
+  std::string conventions;          ///< "OBJ, metres (assumed), z up (assumed), gaps up to 0.09 mm closed"
   ImportReport report;
   Warnings warnings;
 };

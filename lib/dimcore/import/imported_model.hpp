@@ -19,9 +19,11 @@ struct ImportedMaterial {
   /// Reflected in all directions, of what the specular part leaves (as `diffuse` of a zone file); nothing:
   /// not stated.
   std::optional<double> diffuse;
+  double assumed = 0.5;                        ///< what is taken for `diffuse` where it is not stated
   double specular = 0.0;                       ///< k_s
   double roughness = 0.0;                      ///< RMS slope
   std::optional<double> specular_reflectance;  ///< at every angle, in place of Fresnel's law of index 1.5
+  bool is_glass = false;                       ///< a glazing, even if its transmittance is not stated
   std::optional<double> transmittance;         ///< of a glazing, at normal incidence
   double ior = 1.52;                           ///< of a glazing
   bool scattering = false;                     ///< a glazing that scatters what it lets through
@@ -34,7 +36,8 @@ enum class Lit : std::uint8_t {
   unknown,  ///< decided by what the face encloses
   front,    ///< as its corners run: counter-clockwise seen from the lit side
   both,     ///< a thin sheet
-  outside   ///< an external obstruction, `front` seen from its lit side
+  outside,  ///< an external obstruction, `front` seen from its lit side
+  open      ///< nothing is there: counts for a room's volume alone
 };
 
 struct ImportedFace {
@@ -58,6 +61,11 @@ struct ImportedLuminaire {
   double factor = 1.0;                           ///< on the flux
 };
 
+/// A file that the model carries inside itself, to be written beside the lights file.
+struct ImportedFile {
+  std::string name, bytes;
+};
+
 struct ImportedSensors {
   std::string name;
   std::vector<Vec3> positions;
@@ -71,6 +79,7 @@ struct ImportedModel {
   std::vector<ImportedMaterial> materials;
   std::vector<ImportedFace> faces;
   std::vector<ImportedLuminaire> luminaires;
+  std::vector<ImportedFile> files;
   std::vector<ImportedSensors> sensors;
   std::optional<double> unit_m;  ///< length of one unit, where the file or the format states it
   UpAxis up = UpAxis::z;

@@ -30,7 +30,7 @@ double volume_under(const Ring3& ring, const Vec3& origin) {
 
 /// Both sides of a sheet bound no volume; of a feature its parent does.
 bool bounds(Lit lit, const std::string& room, const std::string& on) {
-  return lit == Lit::front && !room.empty() && on.empty();
+  return (lit == Lit::front || lit == Lit::open) && !room.empty() && on.empty();
 }
 
 }  // namespace
@@ -45,13 +45,22 @@ void count_read(const ImportedModel& model, ImportReport& report) {
       const Vec3 cut = newell(hole);
       twice -= glm::dot(cut, twice) > 0.0 ? cut : -cut;
     }
-    const double area = glm::length(twice) / 2.0;
+    const double area = face.lit == Lit::open ? 0.0 : glm::length(twice) / 2.0;
     report.area_read_m2 += area;
+    if (face.lit == Lit::open) --report.n_read;
     if (!bounds(face.lit, face.room, face.on)) continue;
     RoomFigures& room = sums.of(face.room);
-    ++room.n_faces;
+    if (face.lit == Lit::open)
+      room.closed = false;
+    else
+      ++room.n_faces;
     room.area_before_m2 += area;
-    room.volume_before_m3 += volume_under(face.outline, origin);
+    const double under_outline = volume_under(face.outline, origin);
+    room.volume_before_m3 += under_outline;
+    for (const Ring3& hole : face.holes) {
+      const bool same_way = glm::dot(newell(hole), twice) > 0.0;
+      room.volume_before_m3 -= (same_way ? 1.0 : -1.0) * volume_under(hole, origin);
+    }
   }
 }
 
@@ -61,9 +70,9 @@ void count_rooms_after(const FaceMesh& mesh, const std::vector<Facing>& facings,
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     const MeshFace& face = mesh.faces[f];
     const MeshObject& object = mesh.objects[static_cast<std::size_t>(face.object)];
-    if (facings[f] != Facing::front || !bounds(face.lit, object.room, object.on)) continue;
+    if (facings[f] != stated_facing(face.lit) || !bounds(face.lit, object.room, object.on)) continue;
     RoomFigures& room = sums.of(object.room);
-    room.area_after_m2 += area_m2(mesh, face);
+    if (facings[f] == Facing::front) room.area_after_m2 += area_m2(mesh, face);
     for (const CornerRing& ring : face.rings)
       room.volume_after_m3 += volume_under(corners_of(mesh, ring), origin);
   }

@@ -8,11 +8,26 @@
 #include "import/side_sight.hpp"
 
 namespace dim {
+
+Facing stated_facing(Lit lit) {
+  switch (lit) {
+    case Lit::both:
+      return Facing::both;
+    case Lit::outside:
+      return Facing::outside_sheet;
+    case Lit::open:
+      return Facing::open;
+    default:
+      return Facing::front;
+  }
+}
+
 namespace {
 
 constexpr std::uint32_t kOutside = 0xffffffffu;
 constexpr std::uint32_t kUndecided = 0xfffffffeu;
 constexpr int kRays = 192;
+constexpr const char* kInsideCure = "give --inside a point of the room, metres, z up";
 
 /// Closed, or enclosing more than a bent sheet does: a cube encloses 0.068 of its area to the power of 1.5,
 /// and a room that lacks a wall and its ceiling has an openness of 0.35.
@@ -45,7 +60,7 @@ class Spaces {
       throw InputError({{},
                         fmt::format("the point [{:g}, {:g}, {:g}] lies in no space that faces enclose",
                                     inside.x, inside.y, inside.z),
-                        "give --inside a point of the room, metres, z up"});
+                        kInsideCure});
     rooms_ = {most->first};
   }
 
@@ -136,8 +151,7 @@ class Spaces {
 
   Facing decide(std::uint32_t f, ImportReport& report) {
     MeshFace& face = mesh_.faces[f];
-    if (face.lit != Lit::unknown)
-      return face.lit == Lit::front ? Facing::front : face.lit == Lit::both ? Facing::both : Facing::outside;
+    if (face.lit != Lit::unknown) return stated_facing(face.lit);
     if (rooms_.empty()) return face.back_material >= 0 ? Facing::both : Facing::front;
     const std::uint32_t front = space_of(2 * f), back = space_of(2 * f + 1);
     if (is_room(front) && is_room(back)) return front == back ? Facing::both : Facing::two_spaces;
@@ -148,7 +162,8 @@ class Spaces {
     }
     if (front != kOutside && back != kOutside) return Facing::hidden;
     if (front != kOutside) turn(face, report);
-    return Facing::outside;
+    return front == back && !sides_.parts[sides_.part_of[2 * f]].closed ? Facing::outside_sheet
+                                                                        : Facing::outside;
   }
 
   static void turn(MeshFace& face, ImportReport& report) {
@@ -193,12 +208,34 @@ class Spaces {
   std::vector<std::uint32_t> rooms_;
 };
 
+/// The room that most of what is seen from the point belongs to.
+std::string room_around(const FaceMesh& mesh, const Vec3& inside) {
+  std::map<std::string, int> votes;
+  for (const std::uint32_t side : SideSight(mesh).seen_from(inside, 4 * kRays))
+    if (side != SideSight::kNothing && side % 2 == 0)
+      ++votes[mesh.objects[static_cast<std::size_t>(mesh.faces[side / 2].object)].room];
+  votes.erase("");
+  if (votes.empty())
+    throw InputError(
+        {{},
+         fmt::format("the point [{:g}, {:g}, {:g}] lies in no room", inside.x, inside.y, inside.z),
+         kInsideCure});
+  return std::max_element(votes.begin(), votes.end(),
+                          [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
+}
+
+/// Leaves out faces of other rooms.
+void keep_room(const FaceMesh& mesh, const std::string& room, std::vector<Facing>& facings) {
+  for (std::size_t f = 0; f < facings.size(); ++f) {
+    const std::string& own = mesh.objects[static_cast<std::size_t>(mesh.faces[f].object)].room;
+    if (!own.empty() && own != room) facings[f] = Facing::hidden;
+  }
+}
+
 std::vector<Facing> as_stated(const FaceMesh& mesh) {
   std::vector<Facing> facings;
-  for (const MeshFace& face : mesh.faces)
-    facings.push_back(face.lit == Lit::both      ? Facing::both
-                      : face.lit == Lit::outside ? Facing::outside
-                                                 : Facing::front);
+  for (const MeshFace& face : mesh.faces) facings.push_back(stated_facing(face.lit));
   return facings;
 }
 
@@ -208,7 +245,11 @@ std::vector<Facing> face_rooms(FaceMesh& mesh, const std::optional<Vec3>& inside
                                Warnings& warnings) {
   const bool is_stated = std::none_of(mesh.faces.begin(), mesh.faces.end(),
                                       [](const MeshFace& face) { return face.lit == Lit::unknown; });
-  if (is_stated || mesh.faces.empty()) return as_stated(mesh);
+  if (is_stated) {
+    auto facings = as_stated(mesh);
+    if (inside) keep_room(mesh, room_around(mesh, *inside), facings);
+    return facings;
+  }
   Spaces spaces(mesh, warnings);
   if (inside) spaces.choose(*inside);
   return spaces.decide(report);

@@ -11,12 +11,22 @@ namespace dim {
 
 /// Which side of each face is lit.
 enum class Facing : std::uint8_t {
-  front,       ///< as its corners run, now that it is turned
-  both,        ///< a sheet with one space on both sides
-  two_spaces,  ///< with a space on either side: two surfaces back to back
-  outside,     ///< seen from outside only
-  hidden       ///< seen from no space
+  front,          ///< as its corners run, now that it is turned
+  both,           ///< a sheet with one space on both sides
+  two_spaces,     ///< with a space on either side: two surfaces back to back
+  outside,        ///< seen from outside only
+  outside_sheet,  ///< a sheet outside
+  open,           ///< nothing is there
+  hidden          ///< seen from no space
 };
+
+inline bool is_outside(Facing facing) { return facing == Facing::outside || facing == Facing::outside_sheet; }
+
+/// The facing of a face whose lit side is stated.
+Facing stated_facing(Lit lit);
+
+/// Whether a surface is written for the face.
+inline bool is_written(Facing facing) { return facing != Facing::open && facing != Facing::hidden; }
 
 /// Decides by what encloses what, and turns faces so that their front is the lit side.
 ///

@@ -11,8 +11,8 @@
 namespace dim {
 namespace {
 
-constexpr double kAssumedReflectance = 0.5;
 constexpr double kWhitest = 0.95;
+constexpr double kAssumedTransmittance = 0.7;  // of double glazing
 
 std::string comment_line(const std::string& text) {
   std::string line;
@@ -27,9 +27,10 @@ class FinishWriter {
 
   std::string operator()(const ImportedMaterial& material, const std::string& name) {
     const std::string key = toml_quoted(name);
+    if (material.is_glass && !material.transmittance) return unstated_glazing(key, name);
     if (material.transmittance) return fmt::format("{} = {}\n", key, glazing(material, name));
     if (!material.diffuse && material.specular < 1.0) assumed_.push_back(name);
-    const double diffuse = share(material.diffuse.value_or(kAssumedReflectance), name);
+    const double diffuse = share(material.diffuse.value_or(material.assumed), name);
     std::string keys = fmt::format("diffuse = {}", number(material.specular < 1.0 ? diffuse : 0.0));
     if (material.specular > 0.0) {
       keys += fmt::format(", specular = {}, roughness = {}", number(std::min(material.specular, 1.0)),
@@ -44,9 +45,14 @@ class FinishWriter {
 
   void tell() const {
     if (!assumed_.empty())
+      warnings_.push_back(
+          {{},
+           fmt::format("no reflectance is stated for {}: assumed ones are written", list_of(assumed_)),
+           "write the right ones under [finishes]"});
+    if (!unknown_glass_.empty())
       warnings_.push_back({{},
-                           fmt::format("no reflectance is stated for {}: {:g} is assumed", list_of(assumed_),
-                                       kAssumedReflectance),
+                           fmt::format("no transmittance is stated for {}: {:g} is assumed",
+                                       list_of(unknown_glass_), kAssumedTransmittance),
                            "write the right ones under [finishes]"});
     if (!too_white_.empty())
       warnings_.push_back(
@@ -56,6 +62,12 @@ class FinishWriter {
   }
 
  private:
+  std::string unstated_glazing(const std::string& key, const std::string& name) {
+    unknown_glass_.push_back(name);
+    return fmt::format("{} = {{ transmittance = {} }}  # not stated: assumed\n", key,
+                       number(kAssumedTransmittance));
+  }
+
   static std::string number(double value) { return fmt::format("{:.6g}", value); }
 
   static std::string glazing(const ImportedMaterial& material, const std::string&) {
@@ -78,7 +90,7 @@ class FinishWriter {
   }
 
   Warnings& warnings_;
-  std::vector<std::string> assumed_, too_white_;
+  std::vector<std::string> assumed_, unknown_glass_, too_white_;
 };
 
 /// The surface entries of one mesh.
@@ -107,8 +119,8 @@ class SurfaceWriter {
     report.area_written_m2 += area_m2(mesh_, face);
     std::string text = fmt::format("[[surface]]\nname = {}\nfinish = {}\n", toml_quoted(name),
                                    toml_quoted(finishes_[static_cast<std::size_t>(face.material)]));
-    if (facing == Facing::both) text += "sides = 2\n";
-    if (facing == Facing::outside) text += "outside = true\n", ++report.n_outside;
+    if (facing == Facing::both || facing == Facing::outside_sheet) text += "sides = 2\n";
+    if (is_outside(facing)) text += "outside = true\n", ++report.n_outside;
     if (const std::string* parent = parent_of(object)) text += fmt::format("on = {}\n", toml_quoted(*parent));
     text += "vertices = " + ring(face.rings[0]) + "\n";
     if (face.rings.size() > 1) {
@@ -165,7 +177,7 @@ std::vector<bool> materials_in_use(const ImportedModel& model, const FaceMesh& m
                                    const std::vector<Facing>& facings) {
   std::vector<bool> used(model.materials.size(), false);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    if (facings[f] == Facing::hidden) continue;
+    if (!is_written(facings[f])) continue;
     used[static_cast<std::size_t>(mesh.faces[f].material)] = true;
     if (mesh.faces[f].back_material >= 0) used[static_cast<std::size_t>(mesh.faces[f].back_material)] = true;
   }
@@ -199,7 +211,7 @@ std::string zone_text(const ImportedModel& model, const FaceMesh& mesh, const st
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     if (facings[f] == Facing::hidden)
       report.hidden.push_back(mesh.objects[static_cast<std::size_t>(mesh.faces[f].object)].name);
-    else
+    else if (is_written(facings[f]))
       text += surface(mesh.faces[f], facings[f], report);
   }
   for (const auto* replaced : {&finish_names.replaced(), &surface.replaced_names()})
