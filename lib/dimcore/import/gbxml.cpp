@@ -38,7 +38,7 @@ class GbxmlReader {
 
  private:
   static bool is_read(std::string_view part) {
-    for (const char* known : {"Building", "Surface", "Location", "Name", "Description"})
+    for (const char* known : {"Building", "Surface", "Location", "Name", "Description", "DaylightSavings"})
       if (part == known) return true;
     return false;
   }
@@ -113,7 +113,7 @@ class GbxmlReader {
       return;
     }
     if (adjacent.empty()) {
-      surface.lit = Lit::outside;
+      surface.lit = Lit::outside_sheet;
       surface.material = materials_.of_surface(node, newell(surface.outline), true);
       add(std::move(surface));
       for (const auto opening : children_of(node, {"Opening"}))

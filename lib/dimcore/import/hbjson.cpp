@@ -159,7 +159,7 @@ class HoneybeeReader {
     surface.name = object["identifier"].text();
     surface.room = owner.room;
     surface.material = material;
-    surface.lit = owner.is_indoors ? Lit::front : Lit::outside;
+    surface.lit = owner.is_indoors ? Lit::front : Lit::outside_sheet;
     return surface;
   }
 
@@ -167,7 +167,7 @@ class HoneybeeReader {
     for_each(parent, key, [&](const JsonNode& shade) {
       const HoneybeeUse use{"shade_set", owner.is_indoors ? "interior_modifier" : "exterior_modifier"};
       ImportedFace surface = surface_of(shade, owner, modifiers_.of(shade, owner.modifier_set, use));
-      surface.lit = owner.is_indoors ? Lit::both : Lit::outside;
+      surface.lit = owner.is_indoors ? Lit::both : Lit::outside_sheet;
       surface.room.clear();
       model_.faces.push_back(std::move(surface));
     });
@@ -184,7 +184,7 @@ class HoneybeeReader {
         face.outline.push_back(vertices[corners.at(i).index(vertices.size())]);
       face.name = mesh["identifier"].text();
       face.material = material;
-      face.lit = Lit::outside;
+      face.lit = Lit::outside_sheet;
       model_.faces.push_back(std::move(face));
     });
   }

@@ -7,11 +7,13 @@
 
 #include "geometry/box_tree.hpp"
 #include "import/dae.hpp"
+#include "import/esp_geometry.hpp"
 #include "import/flat_faces.hpp"
 #include "import/gbxml.hpp"
 #include "import/gltf.hpp"
 #include "import/hbjson.hpp"
 #include "import/obj.hpp"
+#include "import/outline_mending.hpp"
 #include "import/placing.hpp"
 #include "import/ply.hpp"
 #include "import/radiance.hpp"
@@ -33,10 +35,11 @@ struct Format {
 
 const std::vector<Format>& formats() {
   static const std::vector<Format> all = {
-      {"obj", {".obj"}, read_obj},          {"ply", {".ply"}, read_ply},
-      {"stl", {".stl"}, read_stl},          {"gltf", {".gltf", ".glb"}, read_gltf},
-      {"dae", {".dae"}, read_dae},          {"radiance", {".rad"}, read_radiance},
-      {"hbjson", {".hbjson"}, read_hbjson}, {"gbxml", {".gbxml", ".xml"}, read_gbxml}};
+      {"obj", {".obj"}, read_obj},           {"ply", {".ply"}, read_ply},
+      {"stl", {".stl"}, read_stl},           {"gltf", {".gltf", ".glb"}, read_gltf},
+      {"dae", {".dae"}, read_dae},           {"radiance", {".rad"}, read_radiance},
+      {"hbjson", {".hbjson"}, read_hbjson},  {"gbxml", {".gbxml", ".xml"}, read_gbxml},
+      {"esp-r", {".geo"}, read_esp_geometry}};
   return all;
 }
 
@@ -68,6 +71,7 @@ void clean(FaceMesh& mesh, ImportReport& report) {
   split_bent_faces(mesh, report);
   node_edges(mesh);
   merge_flat_faces(mesh, report);
+  mend_outlines(mesh, report);
   join_doubles(mesh, report);
 }
 
@@ -148,6 +152,7 @@ std::vector<std::string> summary_lines(const ImportReport& report) {
   line_if(lines, report.n_copies, "faces dropped that were there already");
   line_if(lines, report.n_pairs, "pairs of faces back to back made one each");
   line_if(lines, report.n_split, "faces that were not flat cut into triangles");
+  line_if(lines, report.n_mended, "faces whose outline or holes crossed or touched clipped");
   line_if(lines, report.n_merged, "faces merged into larger ones in their plane");
   line_if(lines, report.n_turned, "surfaces turned round to face the room they bound");
   line_if(lines, report.n_outside, "surfaces are seen from outside only: external obstructions");

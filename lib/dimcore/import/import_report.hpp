@@ -29,6 +29,7 @@ struct ImportReport {
   std::size_t n_copies = 0;         ///< a second time in the same place
   std::size_t n_pairs = 0;          ///< back to back with another: one face with two sides
   std::size_t n_split = 0;          ///< not flat: cut into triangles
+  std::size_t n_mended = 0;         ///< outlines that crossed or touched themselves or their holes
   std::size_t n_merged = 0;         ///< went into larger polygons
   std::size_t n_turned = 0;         ///< faced away from the space they bound
   std::size_t n_outside = 0;        ///< written as external obstructions

@@ -33,11 +33,12 @@ struct ImportedMaterial {
 
 /// What a reader knows of the side that a face is lit from.
 enum class Lit : std::uint8_t {
-  unknown,  ///< decided by what the face encloses
-  front,    ///< as its corners run: counter-clockwise seen from the lit side
-  both,     ///< a thin sheet
-  outside,  ///< an external obstruction, `front` seen from its lit side
-  open      ///< nothing is there: counts for a room's volume alone
+  unknown,        ///< decided by what the face encloses
+  front,          ///< as its corners run: counter-clockwise seen from the lit side
+  both,           ///< a thin sheet
+  outside,        ///< of an external obstruction, `front` seen from its lit side
+  outside_sheet,  ///< both sides of one
+  open            ///< nothing is there: counts for a room's volume alone
 };
 
 struct ImportedFace {

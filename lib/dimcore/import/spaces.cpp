@@ -14,6 +14,8 @@ Facing stated_facing(Lit lit) {
     case Lit::both:
       return Facing::both;
     case Lit::outside:
+      return Facing::outside;
+    case Lit::outside_sheet:
       return Facing::outside_sheet;
     case Lit::open:
       return Facing::open;
