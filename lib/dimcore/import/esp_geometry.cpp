@@ -18,6 +18,7 @@ using Words = std::vector<std::string>;
 struct SurfaceEntry {
   std::string name, position, construction, boundary;
   bool is_transparent = false;
+  bool is_open = false;  ///< ESP-r's fictitious surfaces between zones
   Place place;
 };
 
@@ -135,7 +136,10 @@ class EspReader {
   /// *surf,name,position,child of,usage,usage,construction,optics,boundary,…
   void surface(const Words& words) {
     if (words.size() < 8) refuse(fmt::format("*surf with {} items instead of 8 or more", words.size()));
-    SurfaceEntry entry{words[1], words[2], words[6], words.size() > 8 ? words[8] : "", false, place_};
+    SurfaceEntry entry{words[1], words[2],
+                       words[6], words.size() > 8 ? words[8] : "",
+                       false,    words[7].starts_with("SC_fictit"),
+                       place_};
     entry.is_transparent =
         words[7] != "OPAQUE" && words[7] != "UNKNOWN" && words[7] != "UNKN" && words[7] != "-";
     surfaces_.push_back(std::move(entry));
@@ -158,8 +162,8 @@ class EspReader {
       const Words words = take();
       if (words.size() < 5)
         refuse(fmt::format("{} attributes of surface {} instead of 5 or more", words.size(), i + 1));
-      surfaces_.push_back(
-          {words[1], words[3], words[4], words.size() > 5 ? words[5] : "", words[2] == "TRAN", place_});
+      surfaces_.push_back({words[1], words[3], words[4], words.size() > 5 ? words[5] : "", words[2] == "TRAN",
+                           words[4].starts_with("fictit"), place_});
     }
   }
 
@@ -230,7 +234,7 @@ class EspReader {
   }
 
   int material_of(const SurfaceEntry& entry) {
-    if (entry.is_transparent) {
+    if (entry.is_transparent && !entry.is_open) {
       const int index = materials_(entry.construction + " (glass)");
       model_.materials[static_cast<std::size_t>(index)].is_glass = true;
       if (entry.boundary == "ANOTHER")
@@ -264,7 +268,8 @@ class EspReader {
       face.name = surfaces_[i].name;
       face.room = zone_;
       face.material = material_of(surfaces_[i]);
-      face.lit = Lit::front;
+      face.lit = surfaces_[i].is_open ? Lit::open : Lit::front;
+      if (surfaces_[i].is_open) unknowns_.add("fictitious surfaces are left open", surfaces_[i].place);
       model_.faces.push_back(std::move(face));
     }
     for (ImportedFace& face : blocks_) model_.faces.push_back(std::move(face));

@@ -1,6 +1,7 @@
 #include "import/face_mesh.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace dim {
 
@@ -26,6 +27,13 @@ double area_m2(const FaceMesh& mesh, const MeshFace& face) { return glm::length(
 void turn_round(MeshFace& face) {
   for (CornerRing& ring : face.rings) std::reverse(ring.begin(), ring.end());
   if (face.back_material >= 0) std::swap(face.material, face.back_material);
+}
+
+double diagonal_m(const FaceMesh& mesh, const CornerRing& ring) {
+  Vec3 low(std::numeric_limits<double>::max()), high(std::numeric_limits<double>::lowest());
+  for (const std::uint32_t i : ring)
+    low = glm::min(low, mesh.points[i]), high = glm::max(high, mesh.points[i]);
+  return glm::length(high - low);
 }
 
 Polygon polygon_of(const FaceMesh& mesh, const MeshFace& face, const Vec3& origin) {

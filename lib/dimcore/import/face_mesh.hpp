@@ -40,6 +40,8 @@ Ring3 corners_of(const FaceMesh& mesh, const CornerRing& ring);
 /// Twice the vector area: outline less holes.
 Vec3 newell(const FaceMesh& mesh, const MeshFace& face);
 double area_m2(const FaceMesh& mesh, const MeshFace& face);
+/// Diagonal of the box round a ring.
+double diagonal_m(const FaceMesh& mesh, const CornerRing& ring);
 /// Seen from the other side.
 void turn_round(MeshFace& face);
 
