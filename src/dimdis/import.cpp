@@ -138,6 +138,9 @@ bool ImportCommand::run(Exit& status) {
 void ImportCommand::tell(const ImportResult& result) const {
   program_.say(fmt::format("{}: {}", input_, result.conventions));
   for (const std::string& line : summary_lines(result.report)) program_.say(line);
+  constexpr std::size_t kMany = 100'000;
+  if (result.report.n_read > kMany)
+    program_.say(fmt::format("{} of memory taken", size_in_words(peak_memory_bytes())));
   if (!strict_) program_.warn(result.warnings);
 }
 

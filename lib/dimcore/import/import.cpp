@@ -23,6 +23,7 @@
 #include "import/welding.hpp"
 #include "import/zone_numbers.hpp"
 #include "import/zone_writer.hpp"
+#include "scene/face_source.hpp"
 
 namespace dim {
 namespace {
@@ -126,6 +127,10 @@ ImportResult import_file(const ImportInput& input, const std::string& format, co
   model.faces.clear();
   clean(mesh, report);
   input.job.check();
+  if (mesh.faces.size() > kMaxSurfaces)
+    throw LimitError(fmt::format("{}: {} faces are left when those in one plane are merged; a zone has at most {}\n        "
+                                 "import a part of the model, or one with fewer details",
+                                 input.name, mesh.faces.size(), kMaxSurfaces));
   const auto facings = face_rooms(mesh, options.inside, report, result.warnings);
   count_rooms_after(mesh, facings, report);
   straighten_edges(mesh);

@@ -35,7 +35,7 @@ int material_named(ImportedModel& model, const std::string& name) {
 }
 
 std::size_t import_memory_bytes(std::size_t n_faces, std::size_t n_corners) {
-  return 700 * n_faces + 400 * n_corners;
+  return 550 * n_faces + 250 * n_corners;
 }
 
 void FaceCounter::add(std::size_t n_corners) {
