@@ -107,7 +107,9 @@ class SurfaceWriter {
       MeshFace other = face;
       if (other.back_material < 0) other.back_material = face.material;
       turn_round(other);
-      return (*this)(face, Facing::front, report) + (*this)(other, Facing::front, report);
+      // One after the other: names are given in the order of writing.
+      std::string text = (*this)(face, Facing::front, report);
+      return text += (*this)(other, Facing::front, report);
     }
     const MeshObject& object = mesh_.objects[static_cast<std::size_t>(face.object)];
     const bool differ =
