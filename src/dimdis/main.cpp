@@ -7,10 +7,11 @@ int main(int argc, char** argv) {
   dim::DiscretiseCommand discretise(program);
   dim::GeometryCommands geometry(program);
   dim::ExportCommand exporter(program);
+  dim::ImportCommand importer(program);
   dim::NewCommand starter(program);
   return program.run(argc, argv, [&] {
     if (exporter.run() || starter.run()) return dim::Exit::done;
     dim::Exit status = dim::Exit::done;
-    return geometry.run(status) ? status : discretise.run();
+    return geometry.run(status) || importer.run(status) ? status : discretise.run();
   });
 }

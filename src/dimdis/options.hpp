@@ -5,6 +5,7 @@
 
 #include "common/program.hpp"
 #include "geometry/view_factors.hpp"
+#include "import/import.hpp"
 #include "network/network.hpp"
 #include "scene/zone.hpp"
 
@@ -81,6 +82,27 @@ class ExportCommand {
   Program& program_;
   ZoneInput input_;
   std::string format_, points_;
+  std::string output_ = "-";
+  CLI::App* command_;
+};
+
+/// dimdis import FILE -o F.zone.toml
+class ImportCommand {
+ public:
+  explicit ImportCommand(Program& program);
+  /// True when it was asked for; its exit status in `status`.
+  bool run(Exit& status);
+
+ private:
+  ImportOptions options() const;
+  void tell(const ImportResult& result) const;
+  void write_lights(const ImportResult& result) const;
+  bool is_sound(const std::string& zone) const;
+
+  Program& program_;
+  std::string input_, format_, unit_, up_, inside_, lights_;
+  double gap_m_ = 0.0;
+  bool strict_ = false;
   std::string output_ = "-";
   CLI::App* command_;
 };

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+
+#include "import/imported_model.hpp"
+
+namespace dim {
+
+/// Length of a unit by its name in a zone file (m, mm, cm, in, ft), m; nothing for other words.
+std::optional<double> unit_named(const std::string& name);
+
+/// Puts everything of the model into metres with z up.
+/// @param unit_m  in place of what the model states; nothing there either: metres
+/// @param up      in place of what the model states
+/// @throws InputError  a coordinate beyond 1e9 m or not finite
+void place_model(ImportedModel& model, std::optional<double> unit_m, std::optional<UpAxis> up);
+
+/// Warns where no room is as large, or as small, as the model, with the unit that would make one of it.
+void warn_of_improbable_size(const ImportedModel& model, double unit_m, Warnings& warnings);
+
+}  // namespace dim
