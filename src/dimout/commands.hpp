@@ -56,6 +56,10 @@ CLI::Option* add_plane_option(CLI::App& command, std::vector<std::string>& plane
 /// The measuring planes and sensors of those names, in their order; all where none is named.
 /// @throws InputError  no such name, about the file of that path
 std::vector<PointSet> chosen_sets(const Zone& zone, const std::vector<std::string>& names, const std::string& path);
+/// Of these the planar ones, where nothing else has what is asked for.
+/// @throws InputError  a named one measures something else: `what` is of planar illuminance
+std::vector<PointSet> planar_sets(const Zone& zone, const std::vector<std::string>& names, const std::string& path,
+                                  const std::string& what);
 
 /// Where daylight factors are asked for: the illuminance outside, of the sky alone, unobstructed. Coefficients
 /// stand under a CIE overcast sky unless --sky says another, which is put into `input`.

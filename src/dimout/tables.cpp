@@ -173,12 +173,13 @@ void TableCommands::grid() {
   const LuminanceDatabase database = open_database(program_, input_);
   const double horizontal_lx = daylight_factor_ ? outside_lx(database, input_) : 0.0;
   const Zone& zone = database.zone();
-  const auto sets = chosen_sets(zone, planes_, input_.path);
+  const auto sets = daylight_factor_ ? planar_sets(zone, planes_, input_.path, "the daylight factor")
+                                     : chosen_sets(zone, planes_, input_.path);
   if (sets.empty()) program_.say("the zone has no measuring planes or sensors");
   if (stats_) return grid_stats(database, sets);
   std::vector<std::string> columns{"plane", "point", "x_m", "y_m", "z_m", "nx", "ny", "nz", "illuminance_lx"};
   if (daylight_factor_) columns.emplace_back("daylight_factor_percent");
-  columns.emplace_back("error_lx");
+  columns.insert(columns.end(), {"error_lx", "quantity"});
   Table table(columns_with_source(input_, columns));
   for_sources(database, input_, [&](const std::string& source, const Mix& asked) {
     const Mix mix = daylight_factor_ ? diffuse_daylight(database, asked) : asked;
@@ -190,6 +191,7 @@ void TableCommands::grid() {
         std::vector<Table::Value> row{set.name, static_cast<long>(p - set.first), at.x, at.y, at.z, n.x, n.y, n.z, lx[p]};
         if (daylight_factor_) row.emplace_back(100.0 * lx[p] / horizontal_lx);
         row.emplace_back(errors ? stated_lx((*errors)[p]) : kUnknown);
+        row.emplace_back(quantity_word(zone.points[p].quantity));
         table.add(row_with_source(source, std::move(row)));
       }
     }
@@ -203,7 +205,7 @@ double TableCommands::stated_lx(const PointError& error) const {
 
 void TableCommands::grid_stats(const LuminanceDatabase& database, const std::vector<PointSet>& sets) {
   Table table(columns_with_source(
-      input_, {"plane", "points", "min_lx", "mean_lx", "max_lx", "u0", "ud", "left_out", "error_lx"}));
+      input_, {"plane", "points", "min_lx", "mean_lx", "max_lx", "u0", "ud", "left_out", "error_lx", "quantity"}));
   for_sources(database, input_, [&](const std::string& source, const Mix& mix) {
     const auto lx = direct_ ? direct_point_illuminance_lx(database, mix) : point_illuminance_lx(database, mix);
     const auto errors = point_errors(database, mix);
@@ -213,7 +215,8 @@ void TableCommands::grid_stats(const LuminanceDatabase& database, const std::vec
                                          s.max_lx, s.u0, s.ud, static_cast<long>(s.n_left_out),
                                          errors && s.n_left_out < s.n_points
                                              ? stated_lx(mean_error(*errors, database.zone().points, set))
-                                             : kUnknown}));
+                                             : kUnknown,
+                                         quantity_word(quantity_of(database.zone(), set))}));
     }
   });
   write_table(program_, table, input_);

@@ -10,6 +10,7 @@
 #include "database/toml_reader.hpp"
 #include "scene/face_source.hpp"
 #include "scene/outline_check.hpp"
+#include "scene/point_quantity.hpp"
 
 namespace dim {
 namespace {
@@ -18,6 +19,9 @@ constexpr int kMaxPixels = 32768;
 
 class UniqueNames {
  public:
+  void add(const TomlTable& table, const std::string& name, const std::vector<Facing>& facings) {
+    for (const Facing& facing : facings) add(table, name + facing.suffix);
+  }
   void add(const TomlTable& table, const std::string& name) {
     const auto [it, added] = lines_.emplace(name, table.place("name").line);
     if (!added)
@@ -34,13 +38,13 @@ int divisions(double size, double spacing) {
   return n < 1.0 ? 1 : n > kMaxGrid ? kMaxGrid + 1 : static_cast<int>(n);
 }
 
-void lay_out_points(const MeasuringPlane& plane, std::vector<MeasuringPoint>& points) {
+void lay_out_points(const MeasuringPlane& plane, const Response& response, std::vector<MeasuringPoint>& points) {
   const Vec2 size = plane.polygon.size_m();
   for (int j = 0; j < plane.nv; ++j) {
     for (int i = 0; i < plane.nu; ++i) {
       const Vec2 middle(size.x * (i + 0.5) / plane.nu, size.y * (j + 0.5) / plane.nv);
       if (plane.polygon.contains(middle))
-        points.push_back({plane.polygon.frame().to_world(middle), plane.polygon.normal()});
+        points.push_back({plane.polygon.frame().to_world(middle), response.normal, true, response.quantity});
     }
   }
 }
@@ -63,6 +67,24 @@ bool set_grid(const TomlTable& table, const ZoneFrame& frame, double cell_m, Mea
   return false;
 }
 
+// What the points of a plane measure.
+std::vector<Facing> plane_facings(const TomlTable& table, const Vec3& normal) {
+  const PointQuantity quantity(table);
+  const auto direction = table.vec3("direction");
+  if (direction && !quantity.takes_direction())
+    table.problem("direction", "only semicylindrical and vertical4 have a direction", "leave it out");
+  if (direction && !(glm::length(*direction) > 0.0)) {
+    table.problem("direction", "direction has zero length");
+    return {};
+  }
+  std::string fault;
+  const bool upright = quantity.quantity() == Quantity::cylindrical;
+  auto facings = quantity.facings(upright ? Vec3(0, 0, 1) : direction ? glm::normalize(*direction) : normal, fault);
+  if (!fault.empty())
+    table.problem(direction ? "direction" : "quantity", fault, "write a level one: direction = [1, 0, 0]");
+  return facings;
+}
+
 void read_plane(const TomlTable& table, const ZoneFrame& frame, double cell_m, UniqueNames& names,
                 Zone& zone) {
   const bool complete = int(table.require("name")) & int(table.require("vertices"));
@@ -72,7 +94,6 @@ void read_plane(const TomlTable& table, const ZoneFrame& frame, double cell_m, U
   MeasuringPlane plane;
   bool valid = complete && name && outline;
   if (valid) {
-    names.add(table, *name);
     for (auto& p : *outline) p = frame.to_zone(p);
     if (!holes) holes.emplace();
     for (auto& hole : *holes)
@@ -80,52 +101,69 @@ void read_plane(const TomlTable& table, const ZoneFrame& frame, double cell_m, U
     valid = check_outline(*outline, *holes, table.label(), table.place("vertices"), table.context().problems);
   }
   if (!valid) {
-    for (const char* key : {"spacing", "grid"}) table.has(key);
+    for (const char* key : {"spacing", "grid", "quantity", "direction"}) table.has(key);
     return table.refuse_unknown();
   }
   plane.name = *name;
   plane.polygon = Polygon(*outline, *holes);
   plane.place = table.place("name");
   const bool laid = set_grid(table, frame, cell_m, plane);
+  const auto facings = plane_facings(table, plane.polygon.normal());
+  names.add(table, *name, facings);
   table.refuse_unknown();
   if (!laid) return;
   const auto n = static_cast<std::size_t>(plane.nu) * static_cast<std::size_t>(plane.nv);
   if (n > kMaxPoints)
     return table.problem("name", fmt::format("{} points, at most {} are accepted", n, kMaxPoints),
                          "give a larger spacing");
-  const std::size_t first = zone.points.size();
-  lay_out_points(plane, zone.points);
-  const std::size_t count = zone.points.size() - first;
-  if (count == 0)
+  for (const Facing& facing : facings) {
+    plane.name = *name + facing.suffix;
+    const std::size_t first = zone.points.size();
+    lay_out_points(plane, facing.response, zone.points);
+    zone.point_sets.push_back({plane.name, first, zone.points.size() - first, plane.place});
+    zone.planes.push_back(plane);
+  }
+  if (!facings.empty() && zone.point_sets.back().count == 0)
     table.problem("name", "no point of its grid lies inside it", "give a finer spacing or grid");
-  zone.point_sets.push_back({plane.name, first, count, plane.place});
-  zone.planes.push_back(std::move(plane));
 }
 
 void read_sensors(const TomlTable& table, const ZoneFrame& frame, UniqueNames& names, Zone& zone) {
   const bool complete = int(table.require("name")) & int(table.require("points"));
   const auto name = table.name();
   const auto rows = table.rows("points", 6, kCoordinate);
+  const PointQuantity quantity(table);
   table.refuse_unknown();
   if (!complete || !name || !rows) return;
-  names.add(table, *name);
   if (rows->empty()) return table.problem("points", "points is empty");
-  const std::size_t first = zone.points.size();
+  const auto refuse = [&](std::size_t i, const std::string& what, const std::string& cure) {
+    const auto& row = (*table.node("points")->as_array())[i];
+    table.context().problems.add(place_of(row.source(), table.context().file),
+                                 fmt::format("{}: point {} {}", table.label(), i + 1, what), cure);
+  };
+  std::vector<std::vector<MeasuringPoint>> sets;
+  std::vector<Facing> facings;
   for (std::size_t i = 0; i < rows->size(); ++i) {
     const auto& r = (*rows)[i];
     const Vec3 normal(r[3], r[4], r[5]);
     const double length = glm::length(normal);
     if (!(length > 1e-12)) {
-      const auto& row = (*table.node("points")->as_array())[i];
-      table.context().problems.add(
-          place_of(row.source(), table.context().file),
-          fmt::format("{}: point {} has a normal of zero length", table.label(), i + 1),
-          "write x y z nx ny nz");
+      refuse(i, "has a normal of zero length", "write x y z nx ny nz");
       continue;
     }
-    zone.points.push_back({frame.to_zone({r[0], r[1], r[2]}), normal / length});
+    std::string fault;
+    facings = quantity.facings(normal / length, fault);
+    if (!fault.empty())
+      refuse(i, "has a normal that does not fit: " + fault,
+             quantity.takes_direction() ? "write nz = 0" : "write nx ny nz = 0 0 1");
+    sets.resize(facings.size());
+    for (std::size_t k = 0; k < facings.size(); ++k)
+      sets[k].push_back({frame.to_zone({r[0], r[1], r[2]}), facings[k].response.normal, true, facings[k].response.quantity});
   }
-  zone.point_sets.push_back({*name, first, zone.points.size() - first, table.place("name")});
+  names.add(table, *name, facings);
+  for (std::size_t k = 0; k < sets.size(); ++k) {
+    zone.point_sets.push_back({*name + facings[k].suffix, zone.points.size(), sets[k].size(), table.place("name")});
+    zone.points.insert(zone.points.end(), sets[k].begin(), sets[k].end());
+  }
 }
 
 // Corners of the surfaces' bounding box, what stands outside left out.
