@@ -54,6 +54,10 @@ Vec3 any_direction(std::mt19937_64& random) {
   return glm::normalize(d);
 }
 
+bool is_upright(Quantity quantity) {
+  return quantity == Quantity::cylindrical || quantity == Quantity::semicylindrical;
+}
+
 MeasuringPoint point_of(Quantity quantity, const Vec3& position) {
   return {position, normal_for(quantity), true, quantity};
 }
@@ -171,7 +175,7 @@ TEST_CASE("A Lambertian panel lights every body as its own surface would be", "[
   for (std::size_t i = 0; i < zone.points.size(); ++i) {
     const MeasuringPoint& point = zone.points[i];
     double mean = 0.0;
-    for (const auto& facet : facets_of(point.response(), point.quantity == Quantity::cylindrical ? 300 : 150)) {
+    for (const auto& facet : facets_of(point.response(), is_upright(point.quantity) ? 4000 : 150)) {
       const ConvexRing seen = panel.front_of(facet.normal, glm::dot(facet.normal, point.position));
       if (seen.size() < 3) continue;
       mean += facet.share * lambert_lx(point.position, facet.normal, Ring3(seen.begin(), seen.end()), 80.0 / 0.4);

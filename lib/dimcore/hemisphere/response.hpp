@@ -40,6 +40,14 @@ struct Response {
   /// Whether there is light that it leaves out altogether: what comes from behind its plane.
   bool is_planar() const { return quantity == Quantity::planar; }
 
+  /// How far a vector ends from the axis at which the weight has a peak like a cone's, upside down, and no slope to go
+  /// by; its length where there is no such axis.
+  double off_axis(const Vec3& towards) const {
+    if (quantity == Quantity::cylindrical) return glm::length(glm::cross(towards, normal));
+    if (quantity == Quantity::semicylindrical) return std::hypot(towards.x, towards.y);
+    return glm::length(towards);
+  }
+
   /// The weight of light from a direction times that vector's length, >= 0.
   double of(const Vec3& towards) const {
     const double along = glm::dot(towards, normal);

@@ -13,6 +13,8 @@ namespace {
 // two Gauss points an axis the error of 1/r^2 then stays below 1e-3. Points get twice the care.
 constexpr double kNear = 0.6;
 constexpr double kNearPoint = 0.3;
+// Next to the axis of a cylinder its response has no slope: pairs are halved there down to this size.
+constexpr double kNearAxis = 0.03;
 constexpr int kMostHalvings = 48;
 // Where cell and opening touch, halving would never end: parts of the cell this small a share of it are left to
 // Lambert's edge sum.
@@ -174,13 +176,20 @@ double PairIntegrator::near_limit(const Pair& pair) const {
   return bound_cd < kSpill * fitting_.intensity.max_cd() ? limit : limit * beam_ / kNear;
 }
 
+// Whether the response of the receiver is, over the opening.
+bool PairIntegrator::is_smooth(const Pair& pair) const {
+  const double size_m = pair.size_m();
+  return pair.response.is_planar() || size_m <= kNearAxis * pair.distance_m() ||
+         size_m <= kNearPoint * pair.response.off_axis(pair.opening.middle - pair.cell.middle);
+}
+
 // Illuminance that the parts of a pair bring to the whole receiver, with nothing in the way.
 double PairIntegrator::free(const Pair& pair, int depth) const {
   const bool area = pair.cell.ring.size() > 2, extended = pair.opening.ring.size() > 2;
   const double distance_m = pair.distance_m(), size_m = pair.size_m();
   const double limit = near_limit(pair);
   if (limit == 0.0) return 0.0;
-  if (size_m <= limit * distance_m) return by_gauss(pair);
+  if (size_m <= limit * distance_m && is_smooth(pair)) return by_gauss(pair);
   if (extended && fitting_.intensity.is_lambertian() && pair.response.is_planar()) return of_lambertian(pair, depth);
   const bool near = size_m > kNear * distance_m;
   if (depth >= kMostHalvings || (near && area && extended && pair.cell.share <= kSmallestShare &&

@@ -111,6 +111,7 @@ class PairIntegrator {
   bool clip(const Receiver& receiver, Side& cell, Side& opening) const;
   double illuminance(const Response& response, const Vec3& p, const Vec3& q) const;
   double near_limit(const Pair& pair) const;
+  bool is_smooth(const Pair& pair) const;
   double free(const Pair& pair, int depth) const;
   double by_gauss(const Pair& pair) const;
   double touching(const Pair& pair) const;
