@@ -81,6 +81,8 @@ class TableCommands {
   void grid();
   void grid_stats(const LuminanceDatabase& database, const std::vector<PointSet>& sets);
   double stated_lx(const PointError& error) const;
+  std::vector<double> point_lx(const LuminanceDatabase& database, const Mix& mix) const;
+  std::vector<double> maintained_lx(const LuminanceDatabase& database, const Mix& mix) const;
 
   Program& program_;
   DatabaseInput input_;
