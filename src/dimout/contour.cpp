@@ -101,7 +101,7 @@ void ContourCommand::set_shared(const LuminanceDatabase& database, const std::st
   map.plan = plan_frame(database.zone(), map.polygon);
   map.north = north_in_plan(database.zone(), map.plan);
   map.title = fmt::format("{}: {} on {}", database.zone().name,
-                          daylight_factor_ ? "daylight factor" : "illuminance", name);
+                          static_cast<char>(map.quantity.front() - 'A' + 'a') + map.quantity.substr(1), name);
   map.filled = filled_;
   map.with_values = values_;
   map.size_px = size_px_;

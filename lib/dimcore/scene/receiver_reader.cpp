@@ -4,130 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <tuple>
 
 #include "database/toml_reader.hpp"
-#include "scene/face_source.hpp"
-#include "scene/outline_check.hpp"
-#include "scene/point_quantity.hpp"
+#include "scene/plane_reader.hpp"
 
 namespace dim {
 namespace {
 
 constexpr int kMaxPixels = 32768;
 
-class UniqueNames {
- public:
-  void add(const TomlTable& table, const std::string& name, const std::vector<Facing>& facings) {
-    for (const Facing& facing : facings) add(table, name + facing.suffix);
-  }
-  void add(const TomlTable& table, const std::string& name) {
-    const auto [it, added] = lines_.emplace(name, table.place("name").line);
-    if (!added)
-      table.problem("name", fmt::format("the name '{}' is used twice, first at line {}", name, it->second));
-  }
-
- private:
-  std::map<std::string, int> lines_;
-};
-
-int divisions(double size, double spacing) {
-  constexpr double kRounding = 1e-9;  // 6.2 / 0.1 is 62 squares, not 63
-  const double n = std::ceil(size / spacing * (1.0 - kRounding));
-  return n < 1.0 ? 1 : n > kMaxGrid ? kMaxGrid + 1 : static_cast<int>(n);
-}
-
-void lay_out_points(const MeasuringPlane& plane, const Response& response, std::vector<MeasuringPoint>& points) {
-  const Vec2 size = plane.polygon.size_m();
-  for (int j = 0; j < plane.nv; ++j) {
-    for (int i = 0; i < plane.nu; ++i) {
-      const Vec2 middle(size.x * (i + 0.5) / plane.nu, size.y * (j + 0.5) / plane.nv);
-      if (plane.polygon.contains(middle))
-        points.push_back({plane.polygon.frame().to_world(middle), response.normal, true, response.quantity});
-    }
-  }
-}
-
-bool set_grid(const TomlTable& table, const ZoneFrame& frame, double cell_m, MeasuringPlane& plane) {
-  const auto spacing = table.number("spacing", kLength);
-  const auto grid = table.integers2("grid", 1, kMaxGrid);
-  if (grid) {
-    plane.nu = grid->first;
-    plane.nv = grid->second;
-    if (spacing) table.problem("spacing", "both spacing and grid are given", "leave one out");
-    return true;
-  }
-  const double step_m = spacing ? *spacing * frame.unit_m : cell_m;
-  plane.nu = divisions(plane.polygon.size_m().x, step_m);
-  plane.nv = divisions(plane.polygon.size_m().y, step_m);
-  if (plane.nu <= kMaxGrid && plane.nv <= kMaxGrid) return true;
-  table.problem("spacing", fmt::format("more than {} points along one side", kMaxGrid),
-                "give a larger spacing");
-  return false;
-}
-
-// What the points of a plane measure.
-std::vector<Facing> plane_facings(const TomlTable& table, const Vec3& normal) {
-  const PointQuantity quantity(table);
-  const auto direction = table.vec3("direction");
-  if (direction && !quantity.takes_direction())
-    table.problem("direction", "only semicylindrical and vertical4 have a direction", "leave it out");
-  if (direction && !(glm::length(*direction) > 0.0)) {
-    table.problem("direction", "direction has zero length");
-    return {};
-  }
-  std::string fault;
-  const bool upright = quantity.quantity() == Quantity::cylindrical;
-  auto facings = quantity.facings(upright ? Vec3(0, 0, 1) : direction ? glm::normalize(*direction) : normal, fault);
-  if (!fault.empty())
-    table.problem(direction ? "direction" : "quantity", fault, "write a level one: direction = [1, 0, 0]");
-  return facings;
-}
-
-void read_plane(const TomlTable& table, const ZoneFrame& frame, double cell_m, UniqueNames& names,
-                Zone& zone) {
-  const bool complete = int(table.require("name")) & int(table.require("vertices"));
-  const auto name = table.name();
-  auto outline = table.ring("vertices");
-  auto holes = table.rings("holes");
-  MeasuringPlane plane;
-  bool valid = complete && name && outline;
-  if (valid) {
-    for (auto& p : *outline) p = frame.to_zone(p);
-    if (!holes) holes.emplace();
-    for (auto& hole : *holes)
-      for (auto& p : hole) p = frame.to_zone(p);
-    valid = check_outline(*outline, *holes, table.label(), table.place("vertices"), table.context().problems);
-  }
-  if (!valid) {
-    for (const char* key : {"spacing", "grid", "quantity", "direction"}) table.has(key);
-    return table.refuse_unknown();
-  }
-  plane.name = *name;
-  plane.polygon = Polygon(*outline, *holes);
-  plane.place = table.place("name");
-  const bool laid = set_grid(table, frame, cell_m, plane);
-  const auto facings = plane_facings(table, plane.polygon.normal());
-  names.add(table, *name, facings);
-  table.refuse_unknown();
-  if (!laid) return;
-  const auto n = static_cast<std::size_t>(plane.nu) * static_cast<std::size_t>(plane.nv);
-  if (n > kMaxPoints)
-    return table.problem("name", fmt::format("{} points, at most {} are accepted", n, kMaxPoints),
-                         "give a larger spacing");
-  for (const Facing& facing : facings) {
-    plane.name = *name + facing.suffix;
-    const std::size_t first = zone.points.size();
-    lay_out_points(plane, facing.response, zone.points);
-    zone.point_sets.push_back({plane.name, first, zone.points.size() - first, plane.place});
-    zone.planes.push_back(plane);
-  }
-  if (!facings.empty() && zone.point_sets.back().count == 0)
-    table.problem("name", "no point of its grid lies inside it", "give a finer spacing or grid");
-}
-
-void read_sensors(const TomlTable& table, const ZoneFrame& frame, UniqueNames& names, Zone& zone) {
+void read_sensors(const TomlTable& table, const ZoneFrame& frame, SetNames& names, Zone& zone) {
   const bool complete = int(table.require("name")) & int(table.require("points"));
   const auto name = table.name();
   const auto rows = table.rows("points", 6, kCoordinate);
@@ -227,7 +114,7 @@ void check_view(const TomlTable& table, bool own_up, View& view) {
   view.up = {0, 1, 0};  // straight up or down: the top of the picture is +y, as on a plan
 }
 
-void read_view(const TomlTable& table, const ZoneFrame& frame, UniqueNames& names, Zone& zone) {
+void read_view(const TomlTable& table, const ZoneFrame& frame, SetNames& names, Zone& zone) {
   View view;
   const bool complete = int(table.require("name")) & int(table.require("eye")) & int(table.require("focus"));
   const auto name = table.name();
@@ -274,8 +161,9 @@ void read_site(const TomlTable& root, const ZoneFrame& frame, Zone& zone) {
 }  // namespace
 
 void read_receivers(const TomlTable& root, const ZoneFrame& frame, double cell_m, Zone& zone) {
-  UniqueNames point_sets, views;
+  SetNames point_sets, views;
   for (const auto& table : root.tables("plane")) read_plane(table, frame, cell_m, point_sets, zone);
+  for (const auto& table : root.tables("area")) read_area(table, frame, point_sets, zone);
   for (const auto& table : root.tables("sensors")) read_sensors(table, frame, point_sets, zone);
   for (const auto& table : root.tables("view")) read_view(table, frame, views, zone);
   read_site(root, frame, zone);
