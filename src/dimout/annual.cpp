@@ -131,7 +131,7 @@ bool AnnualCommand::run() {
   times.daylight = daylight_steps(sky);
   program_.stage("year");
   Year year;
-  year.sets = chosen_sets(room.database.zone(), planes_, input_.database.path);
+  year.sets = planar_sets(room.database.zone(), planes_, input_.database.path, "a year of daylight");
   const OperatedWindows windows = operated(room, sky);
   std::optional<HourlyFile> hourly;
   if (!hourly_.empty())
@@ -189,10 +189,9 @@ void AnnualCommand::plan(const DaylitRoom& room, const Year& year) {
   if (zone.planes.empty())
     throw InputError(Problem{{input_.database.path}, "the zone has no measuring plane to be drawn", ""});
   const auto plane = std::find_if(zone.planes.begin(), zone.planes.end(), [&](const MeasuringPlane& p) {
-    return planes_.empty() || p.name == planes_.front();
+    return std::any_of(year.sets.begin(), year.sets.end(), [&](const PointSet& set) { return set.name == p.name; });
   });
-  if (plane == zone.planes.end())
-    throw UsageError("--map: '" + planes_.front() + "' are sensors, a map needs a measuring plane");
+  if (plane == zone.planes.end()) throw UsageError("--map: sensors have no map, it needs a measuring plane");
   const auto set = std::find_if(zone.point_sets.begin(), zone.point_sets.end(),
                                 [&](const PointSet& s) { return s.name == plane->name; });
   const auto metric = std::find_if(metric_columns().begin(), metric_columns().end(),

@@ -51,7 +51,7 @@ bool CheckCommand::run(Exit& status) {
   program_.stage("");
   program_.say(fmt::format("{}: {} met, {} not met, {} undecided{}", requirements.source, n(Verdict::met),
                            n(Verdict::not_met), n(Verdict::undecided),
-                           requirements.maintenance_factor == 1.0 && requirements.maintenance.empty()
+                           maintained_mix(database, requirements, input.initial) == input.initial
                                ? "; no maintenance factor: light as new"
                                : ""));
   status = overall(verdicts) == Verdict::met ? Exit::done : Exit::check_failed;

@@ -56,6 +56,10 @@ CLI::Option* add_plane_option(CLI::App& command, std::vector<std::string>& plane
 /// The measuring planes and sensors of those names, in their order; all where none is named.
 /// @throws InputError  no such name, about the file of that path
 std::vector<PointSet> chosen_sets(const Zone& zone, const std::vector<std::string>& names, const std::string& path);
+/// Of these the planar ones, where nothing else has what is asked for.
+/// @throws InputError  a named one measures something else: `what` is of planar illuminance
+std::vector<PointSet> planar_sets(const Zone& zone, const std::vector<std::string>& names, const std::string& path,
+                                  const std::string& what);
 
 /// Where daylight factors are asked for: the illuminance outside, of the sky alone, unobstructed. Coefficients
 /// stand under a CIE overcast sky unless --sky says another, which is put into `input`.
@@ -77,6 +81,8 @@ class TableCommands {
   void grid();
   void grid_stats(const LuminanceDatabase& database, const std::vector<PointSet>& sets);
   double stated_lx(const PointError& error) const;
+  std::vector<double> point_lx(const LuminanceDatabase& database, const Mix& mix) const;
+  std::vector<double> maintained_lx(const LuminanceDatabase& database, const Mix& mix) const;
 
   Program& program_;
   DatabaseInput input_;

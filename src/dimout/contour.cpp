@@ -35,6 +35,11 @@ std::vector<double> parse_levels(const std::string& text) {
   return levels;
 }
 
+std::string capitalised(std::string word) {
+  word.front() = static_cast<char>(word.front() - 'a' + 'A');
+  return word;
+}
+
 std::string rounded(double v) { return v >= 1000.0 ? fmt::format("{:.0f}", v) : fmt::format("{:.3g}", v); }
 
 void add_figures(double mean, double min, double max, ContourMap& map) {
@@ -96,7 +101,7 @@ void ContourCommand::set_shared(const LuminanceDatabase& database, const std::st
   map.plan = plan_frame(database.zone(), map.polygon);
   map.north = north_in_plan(database.zone(), map.plan);
   map.title = fmt::format("{}: {} on {}", database.zone().name,
-                          daylight_factor_ ? "daylight factor" : "illuminance", name);
+                          static_cast<char>(map.quantity.front() - 'A' + 'a') + map.quantity.substr(1), name);
   map.filled = filled_;
   map.with_values = values_;
   map.size_px = size_px_;
@@ -116,6 +121,8 @@ ContourMap ContourCommand::map_of_plane(const LuminanceDatabase& database) {
     throw InputError({{input_.path, 0, 0},
                       "'" + name + "' are single sensors: isolines need a measuring plane",
                       "add a [[plane]] to the zone file"});
+  if (daylight_factor_) planar_sets(zone, {name}, input_.path, "the daylight factor");
+  const Quantity quantity = quantity_of(zone, set);
   const double outside = daylight_factor_ ? outside_lx(database, input_) : 0.0;
   const Mix asked = mix_of(database, input_);
   auto values = point_illuminance_lx(database, daylight_factor_ ? diffuse_daylight(database, asked) : asked);
@@ -124,7 +131,9 @@ ContourMap ContourCommand::map_of_plane(const LuminanceDatabase& database) {
   ContourMap map;
   map.polygon = found->polygon;
   map.values = values_on_plane(zone, static_cast<std::size_t>(found - zone.planes.begin()), values);
-  map.quantity = daylight_factor_ ? "Daylight factor" : "Illuminance";
+  map.quantity = daylight_factor_                ? "Daylight factor"
+                 : quantity == Quantity::planar ? "Illuminance"
+                                                : capitalised(quantity_word(quantity)) + " illuminance";
   map.unit = daylight_factor_ ? "%" : "lx";
   set_shared(database, name, map);
   const auto statistics = grid_statistics(values, zone.points, set);

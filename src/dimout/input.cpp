@@ -168,6 +168,21 @@ std::vector<PointSet> chosen_sets(const Zone& zone, const std::vector<std::strin
   return chosen;
 }
 
+std::vector<PointSet> planar_sets(const Zone& zone, const std::vector<std::string>& names, const std::string& path,
+                                  const std::string& what) {
+  auto sets = chosen_sets(zone, names, path);
+  const auto other = [&](const PointSet& set) { return quantity_of(zone, set) != Quantity::planar; };
+  const auto refused = std::find_if(sets.begin(), sets.end(), other);
+  if (refused == sets.end()) return sets;
+  if (!names.empty())
+    throw InputError({{path, 0, 0},
+                      fmt::format("'{}' measures {} illuminance, {} is of planar illuminance", refused->name,
+                                  quantity_word(quantity_of(zone, *refused)), what),
+                      "choose another with --plane"});
+  std::erase_if(sets, other);
+  return sets;
+}
+
 std::vector<std::string> columns_with_source(const DatabaseInput& input, std::vector<std::string> columns) {
   if (input.by_source) columns.insert(columns.begin(), "source");
   return columns;

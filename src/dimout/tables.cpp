@@ -93,6 +93,8 @@ void TableCommands::info() {
                                {"group", source.group},
                                {"luminaires", source.luminaires},
                                {"flux_lm", source.flux_lm},
+                               {"maintenance_factor", source.maintenance ? nlohmann::ordered_json(*source.maintenance)
+                                                                         : nlohmann::ordered_json(nullptr)},
                                {"imbalance", imbalance},
                                {"error_bound", source.error_bound},
                                {"iterations", source.iterations}});
@@ -134,9 +136,12 @@ void TableCommands::surfaces() {
   const Cells& cells = database.cells();
   Table table(columns_with_source(input_, {"surface", "area_m2", "illuminance_mean_lx", "illuminance_min_lx",
                                            "illuminance_max_lx", "luminance_mean_cd_m2", "cie_x", "cie_y",
-                                           "error_lx"}));
+                                           "error_lx", "maintained_mean_lx"}));
   for_sources(database, input_, [&](const std::string& source, const Mix& mix) {
     const auto figures = surface_figures(cells, cell_appearance(database, cells, mix));
+    const auto kept_mix = maintained(database.sources(), mix);
+    std::vector<SurfaceFigures> kept;
+    if (kept_mix) kept = surface_figures(cells, cell_appearance(database, cells, *kept_mix));
     const auto errors = surface_errors(database, mix, figures);
     for (std::size_t s = 0; s < figures.size(); ++s) {
       if (database.zone().surfaces[s].outside) continue;
@@ -145,7 +150,8 @@ void TableCommands::surfaces() {
           row_with_source(source, {database.zone().surfaces[s].name, f.area_m2, f.illuminance_mean_lx,
                                    f.illuminance_min_lx, f.illuminance_max_lx, f.xyz_mean_cd_m2.y,
                                    chromaticity(f.xyz_mean_cd_m2, 0), chromaticity(f.xyz_mean_cd_m2, 1),
-                                   errors ? (*errors)[s].total_lx() : kUnknown}));
+                                   errors ? (*errors)[s].total_lx() : kUnknown,
+                                   kept.empty() ? kUnknown : kept[s].illuminance_mean_lx}));
     }
   });
   write_table(program_, table, input_);
@@ -173,16 +179,18 @@ void TableCommands::grid() {
   const LuminanceDatabase database = open_database(program_, input_);
   const double horizontal_lx = daylight_factor_ ? outside_lx(database, input_) : 0.0;
   const Zone& zone = database.zone();
-  const auto sets = chosen_sets(zone, planes_, input_.path);
+  const auto sets = daylight_factor_ ? planar_sets(zone, planes_, input_.path, "the daylight factor")
+                                     : chosen_sets(zone, planes_, input_.path);
   if (sets.empty()) program_.say("the zone has no measuring planes or sensors");
   if (stats_) return grid_stats(database, sets);
   std::vector<std::string> columns{"plane", "point", "x_m", "y_m", "z_m", "nx", "ny", "nz", "illuminance_lx"};
   if (daylight_factor_) columns.emplace_back("daylight_factor_percent");
-  columns.emplace_back("error_lx");
+  columns.insert(columns.end(), {"error_lx", "quantity", "maintained_lx"});
   Table table(columns_with_source(input_, columns));
   for_sources(database, input_, [&](const std::string& source, const Mix& asked) {
     const Mix mix = daylight_factor_ ? diffuse_daylight(database, asked) : asked;
-    const auto lx = direct_ ? direct_point_illuminance_lx(database, mix) : point_illuminance_lx(database, mix);
+    const auto lx = point_lx(database, mix);
+    const auto kept_lx = maintained_lx(database, mix);
     const auto errors = point_errors(database, mix);
     for (const auto& set : sets) {
       for (std::size_t p = set.first; p < set.first + set.count; ++p) {
@@ -190,11 +198,23 @@ void TableCommands::grid() {
         std::vector<Table::Value> row{set.name, static_cast<long>(p - set.first), at.x, at.y, at.z, n.x, n.y, n.z, lx[p]};
         if (daylight_factor_) row.emplace_back(100.0 * lx[p] / horizontal_lx);
         row.emplace_back(errors ? stated_lx((*errors)[p]) : kUnknown);
+        row.emplace_back(quantity_word(zone.points[p].quantity));
+        row.emplace_back(kept_lx.empty() ? kUnknown : kept_lx[p]);
         table.add(row_with_source(source, std::move(row)));
       }
     }
   });
   write_table(program_, table, input_);
+}
+
+std::vector<double> TableCommands::point_lx(const LuminanceDatabase& database, const Mix& mix) const {
+  return direct_ ? direct_point_illuminance_lx(database, mix) : point_illuminance_lx(database, mix);
+}
+
+// Empty where no source has a maintenance factor.
+std::vector<double> TableCommands::maintained_lx(const LuminanceDatabase& database, const Mix& mix) const {
+  const auto kept = maintained(database.sources(), mix);
+  return kept ? point_lx(database, *kept) : std::vector<double>{};
 }
 
 double TableCommands::stated_lx(const PointError& error) const {
@@ -203,9 +223,10 @@ double TableCommands::stated_lx(const PointError& error) const {
 
 void TableCommands::grid_stats(const LuminanceDatabase& database, const std::vector<PointSet>& sets) {
   Table table(columns_with_source(
-      input_, {"plane", "points", "min_lx", "mean_lx", "max_lx", "u0", "ud", "left_out", "error_lx"}));
+      input_, {"plane", "points", "min_lx", "mean_lx", "max_lx", "u0", "ud", "left_out", "error_lx", "quantity", "maintained_mean_lx"}));
   for_sources(database, input_, [&](const std::string& source, const Mix& mix) {
-    const auto lx = direct_ ? direct_point_illuminance_lx(database, mix) : point_illuminance_lx(database, mix);
+    const auto lx = point_lx(database, mix);
+    const auto kept_lx = maintained_lx(database, mix);
     const auto errors = point_errors(database, mix);
     for (const auto& set : sets) {
       const auto s = grid_statistics(lx, database.zone().points, set);
@@ -213,7 +234,11 @@ void TableCommands::grid_stats(const LuminanceDatabase& database, const std::vec
                                          s.max_lx, s.u0, s.ud, static_cast<long>(s.n_left_out),
                                          errors && s.n_left_out < s.n_points
                                              ? stated_lx(mean_error(*errors, database.zone().points, set))
-                                             : kUnknown}));
+                                             : kUnknown,
+                                         quantity_word(quantity_of(database.zone(), set)),
+                                         kept_lx.empty()
+                                             ? kUnknown
+                                             : grid_statistics(kept_lx, database.zone().points, set).mean_lx}));
     }
   });
   write_table(program_, table, input_);

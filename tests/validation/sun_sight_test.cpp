@@ -53,7 +53,7 @@ TEST_CASE("What points and cells see of the sun is what many rays find", "[dayli
   const SunSight sight(zone, windows, plates_of(zone), obstructions.shadows());
   std::vector<SunSight::Seen> seen;
   const auto found = [&](const ConvexRing& ring, const Vec3& normal, int skip, const Vec3& towards) {
-    sight.seen(ring, normal, skip, sight.obstacles(ring, normal, skip), towards, seen);
+    sight.seen(ring, {normal}, skip, sight.obstacles(ring, {normal}, skip), towards, seen);
     double sum = 0.0;
     for (const auto& part : seen) sum += part.factor;
     return sum;

@@ -27,15 +27,21 @@ auto about(const BlindPlan& plan, const Work& work) {
 std::vector<std::size_t> points_of(const BlindPlan& plan, const Zone& zone) {
   std::vector<std::string> wanted = plan.points, known;
   for (const auto& set : zone.point_sets) known.push_back(set.name);
-  if (wanted.empty())
-    for (const auto& plane : zone.planes) wanted.push_back(plane.name);
-  if (wanted.empty()) wanted = known;
+  const auto is_planar = [&](const PointSet& set) { return quantity_of(zone, set) == Quantity::planar; };
+  const auto add_first = [&](std::size_t n) {
+    for (std::size_t k = 0; k < n; ++k)
+      if (is_planar(zone.point_sets[k])) wanted.push_back(zone.point_sets[k].name);
+  };
+  if (wanted.empty()) add_first(zone.planes.size());
+  if (wanted.empty()) add_first(zone.point_sets.size());
   std::vector<std::size_t> points;
   for (const auto& name : wanted) {
     const auto set = std::find_if(zone.point_sets.begin(), zone.point_sets.end(),
                                   [&](const PointSet& s) { return s.name == name; });
     if (set == zone.point_sets.end())
       throw InputError(Problem{{}, fmt::format("no sensors or measuring plane '{}'", name), name_cure(name, known)});
+    if (!is_planar(*set))
+      throw InputError(Problem{{}, fmt::format("'{}' does not measure planar illuminance", name), ""});
     for (std::size_t p = set->first; p < set->first + set->count; ++p)
       if (zone.points[p].valid) points.push_back(p);
   }

@@ -46,6 +46,11 @@ std::vector<std::pair<std::string, std::size_t>> points_of(const std::string& te
                              fmt::format("circuit '{}': '{}' has points 0..{}, not {}", circuit.name,
                                          set.name, set.count - 1, *name.point),
                              ""});
+  if (quantity_of(zone, set) != Quantity::planar)
+    throw InputError(Problem{circuit.place,
+                             fmt::format("circuit '{}': '{}' measures {} illuminance, and a sensor is planar",
+                                         circuit.name, set.name, quantity_word(quantity_of(zone, set))),
+                             ""});
   std::vector<std::pair<std::string, std::size_t>> points;
   for (std::size_t k = name.point.value_or(0); k < (name.point ? *name.point + 1 : set.count); ++k) {
     if (!zone.points[set.first + k].valid)

@@ -57,7 +57,7 @@ class SunAtPoints {
       glasses_.push_back(glass);
     }
     tbb::parallel_for(std::size_t{0}, zone_.points.size(), [&](std::size_t p) {
-      obstacles_[p] = sight_.obstacles(ConvexRing(zone_.points[p].position), zone_.points[p].normal, -1);
+      obstacles_[p] = sight_.obstacles(ConvexRing(zone_.points[p].position), zone_.points[p].response(), -1);
     });
   }
 
@@ -66,7 +66,7 @@ class SunAtPoints {
     std::vector<SunSight::Seen> seen;
     for (std::size_t i = 0; i < out.size(); ++i) {
       const MeasuringPoint& point = zone_.points[first + i];
-      sight_.seen(ConvexRing(point.position), point.normal, -1, obstacles_[first + i], sun, seen);
+      sight_.seen(ConvexRing(point.position), point.response(), -1, obstacles_[first + i], sun, seen);
       double sum = 0.0;
       for (const auto& part : seen) sum += part.factor * passed(part);
       out[i] = static_cast<float>(sum);

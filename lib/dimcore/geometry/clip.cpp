@@ -43,6 +43,8 @@ class IntegerGrid {
     return paths;
   }
 
+  double to_grid_length(double length) const { return length * scale_; }
+
   Region2 from_grid(const ClipperLib::Paths& paths) const {
     Region2 region;
     for (const auto& path : paths) {
@@ -142,6 +144,21 @@ Region2 clip_difference(const Region2& subject, const Region2& clip_region) {
 
 Region2 clip_intersection(const Region2& subject, const Region2& clip_region) {
   return clip(subject, clip_region, ClipperLib::ctIntersection);
+}
+
+Region2 grown(const Region2& region, double width) {
+  constexpr double kMiter = 2.0;
+  if (region.empty() || !(width > 0.0)) return region;
+  Vec2 low = region.front().front(), high = low;
+  for (const auto& ring : region)
+    for (const auto& p : ring) low = glm::min(low, p), high = glm::max(high, p);
+  const Vec2 reach(kMiter * width);
+  IntegerGrid grid(region, {{low - reach, high + reach}});
+  ClipperLib::ClipperOffset offset(kMiter);
+  offset.AddPaths(grid.to_grid(region), ClipperLib::jtMiter, ClipperLib::etClosedPolygon);
+  ClipperLib::Paths result;
+  offset.Execute(result, grid.to_grid_length(width));
+  return grid.from_grid(result);
 }
 
 double area(const Region2& region) {

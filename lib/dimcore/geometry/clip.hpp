@@ -17,6 +17,10 @@ using Region2 = std::vector<Ring2>;
 Region2 clip_difference(const Region2& subject, const Region2& clip);
 Region2 clip_intersection(const Region2& subject, const Region2& clip);
 
+/// The region with a band of this width around it, corners kept sharp (blunt beyond twice the width); holes shrink.
+/// @param width  >= 0
+Region2 grown(const Region2& region, double width);
+
 /// Area of a region, holes taken away.
 double area(const Region2& region);
 

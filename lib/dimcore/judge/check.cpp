@@ -220,7 +220,9 @@ class Checker {
 }  // namespace
 
 Mix maintained_mix(const LuminanceDatabase& database, const Requirements& requirements, const Mix& initial) {
-  std::vector<double> factor(initial.size(), requirements.maintenance_factor);
+  std::vector<double> factor;
+  for (const auto& source : database.sources())
+    factor.push_back(source.maintenance.value_or(requirements.maintenance_factor));
   for (const auto& entry : requirements.maintenance) {
     const std::string& name = entry.first;
     const auto named = at_place(requirements.maintenance_place.at(name),

@@ -27,7 +27,8 @@ struct Finding {
 /// inter-reflection and what the energy balance leaves open, of each source by its share.
 double stated_error(const LuminanceDatabase& database, const Mix& mix);
 
-/// Maintained light: each luminaire's factor of the mix times its maintenance factor, once; daylight stays.
+/// Maintained light: each source's factor of the mix times its maintenance factor, once: the one that the requirements
+/// have for it by name, else that of the lights file, else that of the requirements for all; daylight stays.
 /// @throws InputError  a factor for a source or group that is not there, at its place in the file
 Mix maintained_mix(const LuminanceDatabase& database, const Requirements& requirements, const Mix& initial);
 

@@ -31,8 +31,8 @@ struct Requirement {
 struct Requirements {
   std::string title;
   std::string source;                         ///< where the figures are from
-  double maintenance_factor = 1.0;            ///< maintained over initial light
-  std::map<std::string, double> maintenance;  ///< of a source or group, in place of that
+  double maintenance_factor = 1.0;            ///< maintained over initial light of sources whose lights file has none
+  std::map<std::string, double> maintenance;  ///< of a source or group, in place of either
   std::map<std::string, Place> maintenance_place;
   std::vector<Requirement> requirements;
 };

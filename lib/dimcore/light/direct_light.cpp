@@ -97,7 +97,7 @@ void direct_light(const Zone& zone, const Cells& cells, const std::vector<PairIn
     if (job.stopped()) return;
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       const Frame frame = frame_at(zone.points[i]);
-      const Receiver receiver = point_receiver(frame, -1, point_key(zone, i));
+      const Receiver receiver = point_receiver(frame, -1, point_key(zone, i), zone.points[i].quantity);
       for (std::size_t e = 0; e < integrators.size(); ++e)
         on_point(i, e, scaled(integrators[e].mean(receiver), e));
     }

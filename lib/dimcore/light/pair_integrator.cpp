@@ -13,6 +13,8 @@ namespace {
 // two Gauss points an axis the error of 1/r^2 then stays below 1e-3. Points get twice the care.
 constexpr double kNear = 0.6;
 constexpr double kNearPoint = 0.3;
+// Next to the axis of a cylinder its response has no slope: pairs are halved there down to this size.
+constexpr double kNearAxis = 0.03;
 constexpr int kMostHalvings = 48;
 // Where cell and opening touch, halving would never end: parts of the cell this small a share of it are left to
 // Lambert's edge sum.
@@ -30,8 +32,8 @@ constexpr double kLeastRatio = 0.02;
 
 }  // namespace
 
-Receiver point_receiver(const Frame& frame, int skip, std::uint64_t stream) {
-  Receiver receiver{&frame, {}, skip, stream};
+Receiver point_receiver(const Frame& frame, int skip, std::uint64_t stream, Quantity quantity) {
+  Receiver receiver{&frame, {}, skip, stream, quantity};
   receiver.ring.add(frame.origin);
   return receiver;
 }
@@ -75,11 +77,14 @@ std::array<PairIntegrator::Side, 2> PairIntegrator::halves(const Side& whole) {
 // The part of the cell within the source's beam and of the opening before the cell.
 bool PairIntegrator::clip(const Receiver& receiver, Side& cell, Side& opening) const {
   const Frame& frame = *receiver.frame;
-  const ConvexRing above = opening_.ring.front_of(frame.n, glm::dot(frame.n, receiver.ring[0]));
-  if (above.empty()) return false;
-  double highest_m = 0.0;
-  for (const Vec3& corner : above) highest_m = std::max(highest_m, glm::dot(frame.n, corner - receiver.ring[0]));
-  if (!(highest_m > caster_.tolerance_m())) return false;
+  ConvexRing above = opening_.ring;
+  if (receiver.response().is_planar()) {
+    above = above.front_of(frame.n, glm::dot(frame.n, receiver.ring[0]));
+    if (above.empty()) return false;
+    double highest_m = 0.0;
+    for (const Vec3& corner : above) highest_m = std::max(highest_m, glm::dot(frame.n, corner - receiver.ring[0]));
+    if (!(highest_m > caster_.tolerance_m())) return false;
+  }
   opening = side(above, above.measure() / opening_.measure);
   if (!(opening.share > 0.0)) return false;
   ConvexRing lit = receiver.ring;
@@ -95,7 +100,8 @@ bool PairIntegrator::clip(const Receiver& receiver, Side& cell, Side& opening) c
 DirectEstimate PairIntegrator::mean(const Receiver& receiver, PlatesBetween& between) const {
   Side cell, opening;
   if (!clip(receiver, cell, opening)) return {};
-  const Pair pair{cell, opening, receiver.frame->n};
+  const Response response = receiver.response();
+  const Pair pair{cell, opening, response};
   const double free_lx = free(pair, 0);
   if (!(free_lx > 0.0) || !test_visibility_) return {free_lx, 0.0};
   Chance chance(receiver.stream ^ source_.stream);
@@ -113,7 +119,8 @@ DirectEstimate PairIntegrator::mean(const Receiver& receiver, PlatesBetween& bet
   if (!between.known) find(between);
   if (between.found.empty()) return {free_lx, 0.0};
   const ConvexRing bounds =
-      opening_.bounds.front_of(receiver.frame->n, glm::dot(receiver.frame->n, receiver.ring[0]));
+      response.is_planar() ? opening_.bounds.front_of(response.normal, glm::dot(response.normal, receiver.ring[0]))
+                           : opening_.bounds;
   Shadows shadows{bounds, free_lx, lines, receiver.skip, chance};
   return shadowed(pair, between.found, shadows);
 }
@@ -128,10 +135,11 @@ PairIntegrator::Sight PairIntegrator::sight(const Receiver& region, const std::v
   found.clear();
   const Vec3& n = region.frame->n;
   const double offset = glm::dot(n, region.ring[0]);
-  const ConvexRing bounds = opening_.bounds.front_of(n, offset);
+  const bool is_planar = region.response().is_planar();
+  const ConvexRing bounds = is_planar ? opening_.bounds.front_of(n, offset) : opening_.bounds;
   if (bounds.empty()) return Sight::free;
   Shaft shaft(region.ring, bounds, region.skip);
-  shaft.add_limit(n, offset);
+  if (is_planar) shaft.add_limit(n, offset);
   bool hidden = false;
   const auto look_at = [&](int plate) {
     const auto cover = plates_.cover(plate, shaft);
@@ -148,12 +156,12 @@ PairIntegrator::Sight PairIntegrator::sight(const Receiver& region, const std::v
   return hidden ? Sight::hidden : found.empty() ? Sight::free : Sight::part;
 }
 
-double PairIntegrator::illuminance(const Vec3& normal, const Vec3& p, const Vec3& q) const {
+double PairIntegrator::illuminance(const Response& response, const Vec3& p, const Vec3& q) const {
   const Vec3 d = p - q;
-  const double height = -glm::dot(d, normal);
-  if (!(height > 0.0)) return 0.0;
+  const double weight = response.of(-d);
+  if (!(weight > 0.0)) return 0.0;
   const double r2 = glm::dot(d, d);
-  return fitting_.intensity.at(luminaire_.to_local(d)) * height / (r2 * std::sqrt(r2));
+  return fitting_.intensity.at(luminaire_.to_local(d)) * weight / (r2 * std::sqrt(r2));
 }
 
 // How large a pair may be against its distance; 0 where it is wholly dark.
@@ -168,14 +176,21 @@ double PairIntegrator::near_limit(const Pair& pair) const {
   return bound_cd < kSpill * fitting_.intensity.max_cd() ? limit : limit * beam_ / kNear;
 }
 
+// Whether the response of the receiver is, over the opening.
+bool PairIntegrator::is_smooth(const Pair& pair) const {
+  const double size_m = pair.size_m();
+  return pair.response.is_planar() || size_m <= kNearAxis * pair.distance_m() ||
+         size_m <= kNearPoint * pair.response.off_axis(pair.opening.middle - pair.cell.middle);
+}
+
 // Illuminance that the parts of a pair bring to the whole receiver, with nothing in the way.
 double PairIntegrator::free(const Pair& pair, int depth) const {
   const bool area = pair.cell.ring.size() > 2, extended = pair.opening.ring.size() > 2;
   const double distance_m = pair.distance_m(), size_m = pair.size_m();
   const double limit = near_limit(pair);
   if (limit == 0.0) return 0.0;
-  if (size_m <= limit * distance_m) return by_gauss(pair);
-  if (extended && fitting_.intensity.is_lambertian()) return of_lambertian(pair, depth);
+  if (size_m <= limit * distance_m && is_smooth(pair)) return by_gauss(pair);
+  if (extended && fitting_.intensity.is_lambertian() && pair.response.is_planar()) return of_lambertian(pair, depth);
   const bool near = size_m > kNear * distance_m;
   if (depth >= kMostHalvings || (near && area && extended && pair.cell.share <= kSmallestShare &&
                                  pair.opening.radius_m <= 2.0 * pair.cell.radius_m))
@@ -183,8 +198,8 @@ double PairIntegrator::free(const Pair& pair, int depth) const {
   double sum = 0.0;
   for (const Side& part : halves(pair.halve_cell() ? pair.cell : pair.opening)) {
     if (!(part.share > 0.0)) continue;
-    sum += pair.halve_cell() ? free({part, pair.opening, pair.normal}, depth + 1)
-                             : free({pair.cell, part, pair.normal}, depth + 1);
+    sum += pair.halve_cell() ? free({part, pair.opening, pair.response}, depth + 1)
+                             : free({pair.cell, part, pair.response}, depth + 1);
   }
   return sum;
 }
@@ -198,12 +213,12 @@ double PairIntegrator::by_gauss(const Pair& pair) const {
     // A half fraction of the 2^4 design: every odd moment up to the third vanishes.
     for (std::size_t run = 0; run < 8; ++run) {
       const std::size_t s0 = run & 1, s1 = run >> 1 & 1, s2 = run >> 2, s3 = (s0 + s1 + s2) & 1;
-      sum += illuminance(pair.normal, p.at[2 * s0 + s1], q.at[2 * s2 + s3]) / 8.0;
+      sum += illuminance(pair.response, p.at[2 * s0 + s1], q.at[2 * s2 + s3]) / 8.0;
     }
   } else {
     for (std::size_t i = 0; i < static_cast<std::size_t>(p.n); ++i) {
       for (std::size_t j = 0; j < static_cast<std::size_t>(q.n); ++j)
-        sum += p.weight[i] * q.weight[j] * illuminance(pair.normal, p.at[i], q.at[j]);
+        sum += p.weight[i] * q.weight[j] * illuminance(pair.response, p.at[i], q.at[j]);
     }
   }
   return pair.cell.share * pair.opening.share * sum;
@@ -219,7 +234,7 @@ double PairIntegrator::touching(const Pair& pair) const {
       const Vec3 d = nodes.at[i] - pair.opening.middle;
       // Cosine at the cell over that at the opening: their heights over each other's plane, which between
       // parallel planes is 1 in every direction.
-      const double over_cell_m = std::max(0.0, -glm::dot(d, pair.normal));
+      const double over_cell_m = pair.response.of(-d);
       const double over_opening_m = std::abs(glm::dot(d, opening_.normal));
       if (!(over_cell_m > 0.0)) continue;
       const double ratio = over_cell_m / std::max(over_opening_m, kLeastRatio * over_cell_m);
@@ -247,14 +262,14 @@ double PairIntegrator::of_lambertian(const Pair& pair, int depth) const {
   double sum = 0.0;
   if (!small) {
     for (const Side& part : halves(cell)) {
-      if (part.share > 0.0) sum += of_lambertian({part, pair.opening, pair.normal}, depth + 1);
+      if (part.share > 0.0) sum += of_lambertian({part, pair.opening, pair.response}, depth + 1);
     }
     return sum;
   }
   ConvexRing::Nodes nodes;
   cell.ring.nodes(nodes);
   for (std::size_t i = 0; i < static_cast<std::size_t>(nodes.n); ++i)
-    sum += nodes.weight[i] * projected_solid_angle_sr(pair.opening.ring, nodes.at[i], pair.normal);
+    sum += nodes.weight[i] * projected_solid_angle_sr(pair.opening.ring, nodes.at[i], pair.response.normal);
   return cell.share * sum * fitting_.intensity.max_cd() / opening_.measure;
 }
 
@@ -265,7 +280,7 @@ PairIntegrator::Path PairIntegrator::path(const Receiver& receiver, const std::a
   if (receiver.is_point()) {
     path.at = receiver.ring[0];
     path.towards = glm::normalize(q - path.at);
-    const double lx = illuminance(frame.n, path.at, q);
+    const double lx = illuminance(receiver.response(), path.at, q);
     if (lx > 0.0 && !(test_paths_ && blocked(path.at, q, receiver.skip))) path.lx = lx;
     return path;
   }

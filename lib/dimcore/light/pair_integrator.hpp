@@ -6,6 +6,7 @@
 
 #include "base/low_discrepancy.hpp"
 #include "geometry/shadow_plates.hpp"
+#include "hemisphere/response.hpp"
 #include "light/light_source.hpp"
 #include "light/opening_region.hpp"
 
@@ -17,9 +18,11 @@ struct Receiver {
   ConvexRing ring;     ///< in space, in that plane
   int skip;            ///< plate it lies on, or -1
   std::uint64_t stream;  ///< its own chance
+  Quantity quantity = Quantity::planar;  ///< of a measuring point
   bool is_point() const { return ring.size() == 1; }
+  Response response() const { return {frame->n, quantity}; }
 };
-Receiver point_receiver(const Frame& frame, int skip, std::uint64_t stream);
+Receiver point_receiver(const Frame& frame, int skip, std::uint64_t stream, Quantity quantity = Quantity::planar);
 
 /// Mean illuminance and the variance of its estimate, lx and lx2; 0 where it is exact to quadrature.
 struct DirectEstimate {
@@ -47,7 +50,8 @@ struct PairOptions {
 /// caller to take off.
 ///
 /// E = 1/(A_cell A_opening) times the integral over cell and opening of I(direction) cos(theta) / r^2
-/// (equation 8 of the paper for each pair of points). Cell and opening are first clipped by each other's
+/// (equation 8 of the paper for each pair of points), at measuring points of other quantities with their weight in place
+/// of the cosine and no horizon. Cell and opening are first clipped by each other's
 /// horizon, exactly. The integral without obstruction is taken by Gauss's rule, the pair halved wherever it is
 /// large against its distance, and by Lambert's edge sum where the two touch. Where plates stand within the
 /// hull of the pair, exactly: not at all, wholly (0), or in part; in part, the share is found along lines
@@ -105,8 +109,9 @@ class PairIntegrator {
 
   void find(PlatesBetween& between) const;
   bool clip(const Receiver& receiver, Side& cell, Side& opening) const;
-  double illuminance(const Vec3& normal, const Vec3& p, const Vec3& q) const;
+  double illuminance(const Response& response, const Vec3& p, const Vec3& q) const;
   double near_limit(const Pair& pair) const;
+  bool is_smooth(const Pair& pair) const;
   double free(const Pair& pair, int depth) const;
   double by_gauss(const Pair& pair) const;
   double touching(const Pair& pair) const;

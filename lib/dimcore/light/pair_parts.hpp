@@ -7,7 +7,7 @@ namespace dim {
 
 struct PairIntegrator::Pair {
   Side cell, opening;
-  const Vec3& normal;  // of the receiver
+  const Response& response;  // of the receiver
   double size_m() const { return 2.0 * (cell.radius_m + opening.radius_m); }
   double distance_m() const { return glm::length(cell.middle - opening.middle); }
   // Rounding does not decide between equals.

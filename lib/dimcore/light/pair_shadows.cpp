@@ -101,8 +101,8 @@ double PairIntegrator::find_half_hidden(const Pair& pair, std::vector<int> plate
   double sum_lx = 0.0;
   for (const Side& part : halves(pair.halve_cell() ? pair.cell : pair.opening)) {
     if (!(part.share > 0.0)) continue;
-    sum_lx += pair.halve_cell() ? find_half_hidden({part, pair.opening, pair.normal}, plates, depth + 1, shadows)
-                                : find_half_hidden({pair.cell, part, pair.normal}, plates, depth + 1, shadows);
+    sum_lx += pair.halve_cell() ? find_half_hidden({part, pair.opening, pair.response}, plates, depth + 1, shadows)
+                                : find_half_hidden({pair.cell, part, pair.response}, plates, depth + 1, shadows);
   }
   return sum_lx;
 }
@@ -115,7 +115,7 @@ DirectEstimate PairIntegrator::by_rays(const Pair& pair, double free_lx, int n, 
   for (int i = 0, n_lit = 0; n_lit < n && i < most; ++i) {
     const auto x = chance.draw();
     const Vec3 p = pair.cell.ring.sample(x[0], x[1]), q = pair.opening.ring.sample(x[2], x[3]);
-    const double lx = share * illuminance(pair.normal, p, q);
+    const double lx = share * illuminance(pair.response, p, q);
     if (!(lx > 0.0)) {
       sums.add(0.0, 0.0);
       continue;
@@ -196,7 +196,7 @@ DirectEstimate PairIntegrator::by_lines(const Pair& pair, double free_lx, const 
       double sum = 0.0;
       for (const double at : {0.5 - 0.28867513459481287, 0.5 + 0.28867513459481287}) {
         const Vec3 on_line = line[0] + (low + at * (high - low)) * (line[1] - line[0]);
-        sum += on_cell ? illuminance(pair.normal, on_line, eye) : illuminance(pair.normal, eye, on_line);
+        sum += on_cell ? illuminance(pair.response, on_line, eye) : illuminance(pair.response, eye, on_line);
       }
       return 0.5 * sum * (high - low);
     };

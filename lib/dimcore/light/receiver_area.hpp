@@ -4,12 +4,13 @@
 
 #include "geometry/convex_ring.hpp"
 #include "geometry/polygon.hpp"
+#include "hemisphere/response.hpp"
 
 namespace dim {
 
 /// Where daylight is received: a convex cell, or a measuring point (a ring of one corner).
 struct ReceiverArea {
-  Vec3 normal{0, 0, 1};
+  Response response;
   ConvexRing ring;
   int skip = -1;             ///< plate it lies on, or -1
   std::uint64_t stream = 0;  ///< its own chance

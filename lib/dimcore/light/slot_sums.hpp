@@ -14,7 +14,7 @@ class SlotSums {
 
   void clear();
 
-  /// A path through a window of the slot's group. @param weight  cosine at the receiver times solid angle, sr
+  /// A path through a window of the slot's group. @param weight  response of the receiver times solid angle, sr
   /// @param cos_incidence  on the glass
   void add(std::size_t slot, std::size_t place_in_group, const OutsideSeen& seen, double cos_incidence,
            double weight) {

@@ -13,10 +13,11 @@ SunLight::SunLight(const Zone& zone, const Windows& windows, const Panes& panes,
 void SunLight::add(const ReceiverArea& receiver, SlotSums& sums) const {
   if (!sight_) return;
   const Vec3& towards = light_.sun()->towards;
-  if (!(glm::dot(receiver.normal, towards) > -0.5 * kSunDiameter_rad)) return;
+  const Response& response = receiver.response;
+  if (response.is_planar() && !(glm::dot(response.normal, towards) > -0.5 * kSunDiameter_rad)) return;
   std::vector<SunSight::Seen> seen;
-  sight_->seen(receiver.ring, receiver.normal, receiver.skip,
-               sight_->obstacles(receiver.ring, receiver.normal, receiver.skip), towards, seen);
+  sight_->seen(receiver.ring, response, receiver.skip, sight_->obstacles(receiver.ring, response, receiver.skip),
+               towards, seen);
   for (const auto& part : seen) {
     const double lx = light_.sun()->normal_lx * part.factor;
     if (part.window == SunSight::kNoWindow) {

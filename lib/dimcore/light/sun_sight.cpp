@@ -72,18 +72,19 @@ SunSight::SunSight(const Zone& zone, const Windows& windows, std::vector<Plate> 
   }
 }
 
-SunSight::Obstacles SunSight::obstacles(const ConvexRing& receiver, const Vec3& normal, int skip) const {
+SunSight::Obstacles SunSight::obstacles(const ConvexRing& receiver, const Response& response, int skip) const {
   Obstacles found(windows_.windows.size());
+  const Vec3& normal = response.normal;
   const double offset = glm::dot(normal, receiver[0]);
   std::vector<int> between;
   for (std::size_t w = 0; w < found.size(); ++w) {
     const Window& window = windows_.windows[w];
     found[w] = outside_of_[w];
     for (const auto& part : window.parts) {
-      const ConvexRing front = part.front_of(normal, offset);
+      const ConvexRing front = response.is_planar() ? part.front_of(normal, offset) : part;
       if (front.empty()) continue;
       Shaft shaft(receiver, front, skip);
-      shaft.add_limit(normal, offset);
+      if (response.is_planar()) shaft.add_limit(normal, offset);
       between.clear();
       shadows_.candidates(shaft, between);
       found[w].insert(found[w].end(), between.begin(), between.end());
@@ -128,25 +129,26 @@ CoverRings SunSight::flat(int plate, const Vec3& normal, double least_height,
   return result;
 }
 
-void SunSight::seen(const ConvexRing& receiver, const Vec3& normal, int skip, const Obstacles& obstacles,
+void SunSight::seen(const ConvexRing& receiver, const Response& response, int skip, const Obstacles& obstacles,
                     const Vec3& towards, std::vector<Seen>& result) const {
   result.clear();
-  if (!(glm::dot(normal, towards) > -0.5 * kSunDiameter_rad) || !(towards.z > -0.5 * kSunDiameter_rad)) return;
+  if (!(towards.z > -0.5 * kSunDiameter_rad)) return;
+  if (response.is_planar() && !(glm::dot(response.normal, towards) > -0.5 * kSunDiameter_rad)) return;
   if (receiver.size() == 1)
-    seen_by_point(receiver[0], normal, obstacles, towards, result);
+    seen_by_point(receiver[0], response, obstacles, towards, result);
   else
-    seen_by_cell(receiver, normal, skip, obstacles, towards, result);
+    seen_by_cell(receiver, response.normal, skip, obstacles, towards, result);
 }
 
-void SunSight::seen_by_point(const Vec3& point, const Vec3& normal, const Obstacles& obstacles, const Vec3& towards,
-                             std::vector<Seen>& result) const {
+void SunSight::seen_by_point(const Vec3& point, const Response& response, const Obstacles& obstacles,
+                             const Vec3& towards, std::vector<Seen>& result) const {
   static const ConvexPatch kDisc = disc_patch();
   const Vec3 u = perpendicular(towards), v = glm::cross(towards, u);
   const auto keep = [&](ConvexPatch& patch, const Vec3& inwards) {
     patch.keep(glm::dot(inwards, towards), glm::dot(inwards, u), glm::dot(inwards, v));
   };
   ConvexPatch disc = kDisc;
-  if (glm::dot(normal, towards) < kRadius) keep(disc, normal);
+  if (response.is_planar() && glm::dot(response.normal, towards) < kRadius) keep(disc, response.normal);
   if (towards.z < kRadius) keep(disc, {0, 0, 1});
   if (disc.empty()) return;
   const auto projected = [&](const Vec3& p) {
@@ -169,8 +171,7 @@ void SunSight::seen_by_point(const Vec3& point, const Vec3& normal, const Obstac
     const double incidence =
         window == kNoWindow ? 1.0 : -glm::dot(windows_.windows[window].frame().n, direction);
     if (incidence > 0.0)
-      result.push_back({window, area / (kPi * kRadius * kRadius) * std::max(0.0, glm::dot(normal, direction)),
-                        incidence});
+      result.push_back({window, area / (kPi * kRadius * kRadius) * response.of(direction), incidence});
   };
   if (windows_.dome) add(kNoWindow, disc, in_the_open(ConvexRing(point), -1, towards));
   for (std::size_t w = 0; w < windows_.windows.size(); ++w) {

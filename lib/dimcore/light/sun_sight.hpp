@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry/shadow_plates.hpp"
+#include "hemisphere/response.hpp"
 #include "light/sun_disc.hpp"
 #include "light/uncovered_area.hpp"
 #include "light/window.hpp"
@@ -20,19 +21,19 @@ class SunSight {
   /// What can stand between a receiver and the sun, by window. [n_windows]
   using Obstacles = std::vector<std::vector<int>>;
   /// @param receiver  a cell or a point (a ring of one); @param skip  plate that it lies on, or -1
-  Obstacles obstacles(const ConvexRing& receiver, const Vec3& normal, int skip) const;
+  Obstacles obstacles(const ConvexRing& receiver, const Response& response, int skip) const;
 
   /// `kNoWindow`: through what is open in ways that only rays know.
   static constexpr std::size_t kNoWindow = static_cast<std::size_t>(-1);
   struct Seen {
     std::size_t window;
-    double factor;     ///< visible share times cosine at the receiver
+    double factor;     ///< visible share times the receiver's response
     double incidence;  ///< cosine on the pane
   };
   /// @param towards   the sun, unit vector
   /// @param receiver  with its obstacles; of a cell the mean over it
-  void seen(const ConvexRing& receiver, const Vec3& normal, int skip, const Obstacles& obstacles, const Vec3& towards,
-            std::vector<Seen>& result) const;
+  void seen(const ConvexRing& receiver, const Response& response, int skip, const Obstacles& obstacles,
+            const Vec3& towards, std::vector<Seen>& result) const;
 
  private:
   struct Ball {
@@ -40,7 +41,7 @@ class SunSight {
     double radius_m;
   };
   static Ball ball_of(const Polygon& polygon);
-  void seen_by_point(const Vec3& point, const Vec3& normal, const Obstacles& obstacles, const Vec3& towards,
+  void seen_by_point(const Vec3& point, const Response& response, const Obstacles& obstacles, const Vec3& towards,
                      std::vector<Seen>& result) const;
   void seen_by_cell(const ConvexRing& cell, const Vec3& normal, int skip, const Obstacles& obstacles,
                     const Vec3& towards, std::vector<Seen>& result) const;

@@ -89,21 +89,22 @@ void WindowLight::add(const ReceiverArea& receiver, SlotSums& sums) const {
 
 void WindowLight::add(const ReceiverArea& receiver, std::size_t window, SlotSums& sums) const {
   const Window& glass = windows_.windows[window];
-  const Vec3& n = receiver.normal;
+  const Vec3& n = receiver.response.normal;
+  const bool is_planar = receiver.response.is_planar();
   const double offset = glm::dot(n, receiver.ring[0]);
   // The part of the window before the receiver's plane; receivers behind the window's own plane see it from outside.
   std::vector<ConvexRing> parts;
   ConvexRing bounds;
   std::vector<int> between;
   for (const auto& part : glass.parts) {
-    const ConvexRing front = part.front_of(n, offset);
+    const ConvexRing front = is_planar ? part.front_of(n, offset) : part;
     if (front.empty()) continue;
     const bool above = std::any_of(front.begin(), front.end(),
                                    [&](const Vec3& p) { return glm::dot(n, p) - offset > tolerance_m_; });
-    if (!above) continue;
+    if (is_planar && !above) continue;
     parts.push_back(front);
     Shaft shaft(receiver.ring, front, receiver.skip);
-    shaft.add_limit(n, offset);
+    if (is_planar) shaft.add_limit(n, offset);
     plates_.candidates(shaft, between);
   }
   std::erase(between, glass.plate);
@@ -142,18 +143,18 @@ void WindowLight::add_path(const Sight& sight, const Vec3& from, const Vec3& dir
                            SlotSums& sums) const {
   const Window& window = windows_.windows[sight.window];
   const Frame& plane = window.frame();
-  const double cosine = glm::dot(sight.receiver.normal, direction), incidence = -glm::dot(plane.n, direction);
-  if (!(cosine > 0.0) || !(incidence > 0.0)) return;
+  const double response = sight.receiver.response.of(direction), incidence = -glm::dot(plane.n, direction);
+  if (!(response > 0.0) || !(incidence > 0.0)) return;
   const Vec3 on_glass = from + (plane.height(from) / incidence) * direction;
   if (sight.test_inside && caster_.blocked(from, on_glass, sight.receiver.skip)) return;
   const OutsideSeen seen = window.open_outside ? outside_.light().open(direction)
                                                : outside_.seen(on_glass, direction, window.plate);
   const std::size_t place = place_in_group_[sight.window];
   for (std::size_t s = panes_.first_of_group(window.group); s < panes_.last_of_group(window.group); ++s)
-    sums.add(s, place, seen, incidence, weight * cosine);
+    sums.add(s, place, seen, incidence, weight * response);
   if (scatters_[sight.window])
     sums.add_glow(sight.window, klems::patch_of(-klems_frame_[sight.window].direction_to_local(direction)),
-                  weight * cosine);
+                  weight * response);
 }
 
 void WindowLight::add_dome(const ReceiverArea& receiver, SlotSums& sums) const {
@@ -167,13 +168,13 @@ void WindowLight::add_dome(const ReceiverArea& receiver, SlotSums& sums) const {
     for (std::uint64_t i = 0; i < points.size(); ++i) {
       const auto x = points(i);
       const Vec3 direction = light.direction(patch, x[0], x[1]);
-      const double cosine = glm::dot(receiver.normal, direction);
-      if (!(cosine > 0.0)) continue;
+      const double response = receiver.response.of(direction);
+      if (!(response > 0.0)) continue;
       const Vec3 from = receiver.at(x[2], x[3]);
       const Hit hit = caster_.nearest(from, direction, receiver.skip);
       const bool leaves = hit.plate < 0 || static_cast<std::size_t>(hit.plate) >= zone_.surfaces.size() ||
                           zone_.surfaces[static_cast<std::size_t>(hit.plate)].outside;
-      if (leaves) sums.add_seen(slot, outside_.seen(from, direction, hit), weight * cosine);
+      if (leaves) sums.add_seen(slot, outside_.seen(from, direction, hit), weight * response);
     }
   }
 }

@@ -9,7 +9,7 @@ namespace dim {
 
 /// Direct light through windows on any receiver.
 ///
-/// E = integral of tau(incidence) L(direction) cos(theta) over the solid angle that the visible part of a window
+/// E = integral of tau(incidence) L(direction) w(direction), w the receiver's response, over the solid angle that the visible part of a window
 /// fills. Paths are spread evenly over that solid angle, what is seen above the horizon and below it apart, each
 /// traced to the glass where something can be in the way, and on outside where something stands. Their number
 /// depends on the receiver and the window alone.

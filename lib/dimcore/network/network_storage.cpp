@@ -156,7 +156,7 @@ Cells load_cells(const Hdf5Reader& file, const Zone& zone, const std::string& pa
 
 std::string save_rays(const std::string& path, const Zone& zone, const Cells& cells, const Network& network,
                       const Job& job) {
-  Hdf5Writer file("rays", kRaysVersion);
+  Hdf5Writer file("rays", any_bodies_measure(zone) ? kRaysVersion : kPlanarRaysVersion);
   store_zone(file, zone);
   store_cells(file, zone, cells);
   const std::string sinks = "cell on which each patch's ray ends; the number of cells: on none";
@@ -231,7 +231,7 @@ const FileSchema& rays_schema() {
 }
 
 RaysFile load_rays(const std::string& path, const Job& job) {
-  Hdf5Reader file(path, "rays", kRaysVersion, job, kRaysVersion);
+  Hdf5Reader file(path, "rays", kRaysVersion, job, kPlanarRaysVersion);
   file.lay_against(rays_schema(), job.memory_limit_bytes);
   RaysFile rays;
   rays.hash = file.hash();

@@ -6,7 +6,8 @@
 
 namespace dim {
 
-inline constexpr int kRaysVersion = 2;
+/// The newest version; and the one written where every point measures planar illuminance, which older programs read.
+inline constexpr int kRaysVersion = 3, kPlanarRaysVersion = 2;
 
 /// A `.rays` file: the zone and its ray network. Layout: docs/formats.md.
 struct RaysFile {

@@ -11,7 +11,9 @@ void judge_points(const Network& network, Zone& zone) {
   for (std::size_t p = 0; p < zone.points.size(); ++p) {
     std::size_t n_lit = 0;
     for (std::size_t k = 0; k < n_patches; ++k) n_lit += network.point_sinks.at(p, k) < nothing;
-    zone.points[p].valid = zone.closed ? 2 * n_lit >= n_patches : network.point_back_fraction[p] <= 0.5;
+    // What looks all around sees lit sides all around: on a face, half of its rays pass into that.
+    const std::size_t least = zone.points[p].quantity == Quantity::planar ? (n_patches + 1) / 2 : 3 * n_patches / 4;
+    zone.points[p].valid = zone.closed ? n_lit >= least : network.point_back_fraction[p] <= 0.5;
   }
 }
 

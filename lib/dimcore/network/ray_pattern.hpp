@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -11,7 +12,8 @@
 
 namespace dim {
 
-/// The rays of one row of a network, from the network's seed: the same ones whenever they are asked for.
+/// The rays of one row of a network, from the network's seed: the same ones whenever they are asked for. Those of a
+/// measuring point go where its quantity has them count alike.
 class RowRays {
  public:
   /// Rays of a cell.
@@ -30,10 +32,12 @@ class RowRays {
   RowRays(const Zone& zone, std::size_t point, Sampling sampling, std::uint64_t seed)
       : frame_(frame_at(zone.points[point])),
         sampling_(sampling),
-        points_(mix(seed) ^ point_key(zone, point)) {}
+        points_(mix(seed) ^ point_key(zone, point)),
+        quantity_(zone.points[point].quantity) {}
 
   /// The ray through a patch. @param directions  of the patch's slice
   Ray ray(const PatchGrid& patches, const PatchSlice& directions, int slice, int sector) const {
+    if (quantity_ != Quantity::planar) return body_ray(patches, slice, sector);
     if (sampling_ == Sampling::centre)
       return {frame_.origin, frame_.direction_to_world(patches.centre(slice, sector))};
     const auto patch = static_cast<std::size_t>(slice) * static_cast<std::size_t>(patches.n_sectors) +
@@ -59,11 +63,25 @@ class RowRays {
   int skip() const { return skip_; }
 
  private:
+  // What the patch's weight is the share of is the whole sphere, weighted by the response, in place of the hemisphere.
+  Ray body_ray(const PatchGrid& patches, int slice, int sector) const {
+    std::array<double, 4> x{};
+    if (sampling_ == Sampling::stratified)
+      x = points_(static_cast<std::size_t>(slice) * static_cast<std::size_t>(patches.n_sectors) +
+                  static_cast<std::size_t>(sector));
+    const bool centre = sampling_ == Sampling::centre;
+    const double low = static_cast<double>(slice) / patches.n_slices, high = (slice + 1.0) / patches.n_slices;
+    const double share = centre ? 0.25 * (low + high) * (low + high) : low * low + x[0] * (high * high - low * low);
+    const double turn = (sector + (centre ? 0.5 : x[1])) / patches.n_sectors;
+    return {frame_.origin, frame_.direction_to_world(response_direction(quantity_, share, turn))};
+  }
+
   Frame
       frame_;  // of the surface or point; the origin is where all rays start that have no cell to spread over
   Sampling sampling_;
   LowDiscrepancy4 points_;
   std::optional<CellPoints> in_cell_;
+  Quantity quantity_ = Quantity::planar;
   int skip_ = -1;
 };
 

@@ -34,18 +34,20 @@ Json to_json(const Source& source, bool spectrum_known) {
                 {"patch", source.daylight->patch},
                 {"state", source.daylight->state},
                 {"as_it_stands", source.daylight->as_it_stands}};
-  return {{"name", source.name},
-          {"daylight", std::move(daylight)},
-          {"group", source.group},
-          {"luminaires", source.luminaires},
-          {"flux_lm", source.flux_lm},
-          {"spectrum_known", spectrum_known},
-          {"weights",
-           {{"efficacy_lm_W", w.efficacy_lm_W}, {"share", w.share}, {"x", w.x}, {"y", w.y}, {"z", w.z}}},
-          {"energy", std::move(energy)},
-          {"iterations", source.iterations},
-          {"residual", source.residual},
-          {"error_bound", source.error_bound}};
+  Json json = {{"name", source.name},
+               {"daylight", std::move(daylight)},
+               {"group", source.group},
+               {"luminaires", source.luminaires},
+               {"flux_lm", source.flux_lm},
+               {"spectrum_known", spectrum_known},
+               {"weights",
+                {{"efficacy_lm_W", w.efficacy_lm_W}, {"share", w.share}, {"x", w.x}, {"y", w.y}, {"z", w.z}}},
+               {"energy", std::move(energy)},
+               {"iterations", source.iterations},
+               {"residual", source.residual},
+               {"error_bound", source.error_bound}};
+  if (source.maintenance) json["maintenance_factor"] = *source.maintenance;
+  return json;
 }
 
 Json to_json(const ShownLuminaire& l) {
@@ -115,6 +117,7 @@ Source source_from(const JsonEntry& entry, std::size_t n_bands) {
   const JsonEntry luminaires = entry["luminaires"], energy = entry["energy"];
   for (std::size_t i = 0; i < luminaires.size(); ++i) source.luminaires.push_back(luminaires.at(i).text());
   source.flux_lm = entry["flux_lm"].number(0.0);
+  if (entry.has("maintenance_factor")) source.maintenance = entry["maintenance_factor"].number(0.0, 1.0);
   source.weights = weights_from(entry["weights"], n_bands);
   for (std::size_t b = 0; b < energy.size(n_bands); ++b) {
     const JsonEntry e = energy.at(b);

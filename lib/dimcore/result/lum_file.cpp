@@ -280,7 +280,7 @@ const FileSchema& lum_schema() {
 std::string save_lum(const std::string& path, const Zone& zone, const Cells& cells, const Lights& lights,
                      const Solution& solution, const std::string& rays_hash, const Job& job) {
   const ResultContent content = content_of(zone, cells, lights, solution);
-  Hdf5Writer file("lum", kLumVersion);
+  Hdf5Writer file("lum", any_bodies_measure(zone) ? kLumVersion : kPlanarLumVersion);
   store_zone(file, zone);
   file.text("/description", description_of(content));
   file.attribute("/", "rays_hash", rays_hash);
@@ -293,7 +293,7 @@ std::string save_lum(const std::string& path, const Zone& zone, const Cells& cel
 }
 
 LumFile load_lum(const std::string& path, const Job& job) {
-  Hdf5Reader file(path, "lum", kLumVersion, job, kLumVersion);
+  Hdf5Reader file(path, "lum", kLumVersion, job, kPlanarLumVersion);
   file.lay_against(lum_schema(), job.memory_limit_bytes);
   LumFile lum;
   ResultContent& content = lum.content;

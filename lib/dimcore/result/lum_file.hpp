@@ -10,7 +10,8 @@
 
 namespace dim {
 
-inline constexpr int kLumVersion = 3;
+/// The newest version; and the one written where every point measures planar illuminance, which older programs read.
+inline constexpr int kLumVersion = 4, kPlanarLumVersion = 3;
 
 /// All that a `.lum` file holds.
 const FileSchema& lum_schema();

@@ -79,6 +79,18 @@ void put_into_states(const std::vector<std::string>& texts, const std::vector<So
   }
 }
 
+std::optional<Mix> maintained(const std::vector<Source>& sources, const Mix& mix) {
+  Mix kept = mix;
+  bool any = false;
+  for (std::size_t s = 0; s < sources.size(); ++s) {
+    if (!sources[s].maintenance) continue;
+    kept[s] *= *sources[s].maintenance;
+    any |= mix[s] != 0.0;
+  }
+  if (!any) return std::nullopt;
+  return kept;
+}
+
 Mix only(const Mix& mix, std::size_t source) {
   Mix one(mix.size(), 0.0);
   one[source] = mix[source];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,10 @@ Mix parse_mix(const std::vector<std::string>& texts, const std::vector<Source>& 
 /// not named stand as the zone file has them.
 /// @throws InputError  unknown group or state
 void put_into_states(const std::vector<std::string>& texts, const std::vector<Source>& sources, Mix& mix);
+
+/// The mix of maintained light, each source times its maintenance factor; those without one, and daylight, as they are.
+/// Nothing where no source of the mix has one.
+std::optional<Mix> maintained(const std::vector<Source>& sources, const Mix& mix);
 
 /// Illuminance of every measuring point, lx, sources mixed. [n_points]
 std::vector<double> point_illuminance_lx(const LuminanceDatabase& database, const Mix& mix);

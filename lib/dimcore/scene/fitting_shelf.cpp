@@ -87,6 +87,7 @@ std::optional<Fitting> FittingShelf::read_entry(const std::string& name, const s
     }
     if (entry.watts) fitting->watts = *entry.watts;
     fitting->in_use_factor = entry.in_use_factor();
+    fitting->maintenance_factor = entry.maintenance_factor;
     return fitting;
   } catch (const InputError& error) {
     pass_on(error);

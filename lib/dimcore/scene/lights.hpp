@@ -28,6 +28,7 @@ struct Fitting {
   double watts = 0.0;            ///< 0 where not known
   std::optional<LampTilt> tilt;  ///< how the lamps' output changes with the luminaire's position
   double in_use_factor = 1.0;    ///< flux in use over flux as new, in `intensity`: the entry's factors
+  double maintenance_factor = 1.0;  ///< the part of that which is for ageing and dirt
 };
 
 /// One luminaire in its place. Its frame is x = c0, y = c90, z = aim, as IntensityTable and LuminousOpening
@@ -41,6 +42,7 @@ struct Luminaire {
   Vec3 c90{0, 1, 0};        ///< c0 x aim
   Vec3 aim{0, 0, -1};       ///< gamma = 0
   double factor = 1.0;      ///< times the fitting's intensity: dim, lamp tilt, lumens or intensity asked for
+  std::optional<double> maintenance;  ///< maintained over initial light, not in `factor`; nothing: not said
   LuminousOpening opening;  ///< the fitting's, or what the lights file says instead
   bool body = false;        ///< the opening also obstructs and reflects, see scene/luminaire_body.hpp
   double body_reflectance = 0.0;  ///< 0..1, not 1

@@ -13,6 +13,7 @@
 #include "database/toml_reader.hpp"
 #include "scene/luminaire_body.hpp"
 #include "scene/luminaire_field.hpp"
+#include "scene/maintenance.hpp"
 #include "scene/sky_reader.hpp"
 #include "scene/zone_frame.hpp"
 
@@ -47,6 +48,7 @@ class LightsReader {
         warnings_(warnings),
         folder_(folder),
         load_(load),
+        maintenance_(root),
         shelf_(folder, search, load, problems_, warnings) {}
 
   Lights read() {
@@ -60,6 +62,7 @@ class LightsReader {
                     "write at least one [[luminaire]], or a [sky]");
     root_.refuse_unknown();
     check_groups();
+    if (problems_.empty()) maintenance_.check_groups(lights_, problems_);
     problems_.throw_if_any();
     lights_.fittings = shelf_.take();
     return std::move(lights_);
@@ -82,6 +85,7 @@ class LightsReader {
     read_body(table, luminaire);
     const bool aimed = read_aim(table, luminaire);
     const bool lit = read_source(table, luminaire);
+    if (lit) maintenance_.set(table, shelf_[luminaire.fitting], luminaire);
     read_opening(table, luminaire);
     const auto places = read_field(table, luminaire, kMaxLuminaires - lights_.luminaires.size());
     table.refuse_unknown();
@@ -296,6 +300,7 @@ class LightsReader {
   Warnings& warnings_;
   const std::string& folder_;
   const FileLoader& load_;
+  Maintenance maintenance_;
   FittingShelf shelf_;
   std::map<std::string, int> names_;
   Lights lights_;

@@ -7,10 +7,7 @@ namespace dim {
 
 class TomlTable;
 
-/// Largest number of measuring points of one plane or sensor list.
-inline constexpr std::size_t kMaxPoints = 10'000'000;
-
-/// Reads [[plane]], [[sensors]], [[view]] and [site] into the zone, with the points of planes laid out.
+/// Reads [[plane]], [[area]], [[sensors]], [[view]] and [site] into the zone, with the points of planes laid out.
 /// @param cell_m  spacing of planes that state neither `spacing` nor `grid`
 void read_receivers(const TomlTable& root, const ZoneFrame& frame, double cell_m, Zone& zone);
 

@@ -2,12 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "geometry/cell_grid.hpp"
 
 namespace dim {
 
 bool is_window(const Zone& zone, const Surface& surface) {
   return zone.finishes[static_cast<std::size_t>(surface.finish)].kind == FinishKind::glazing && surface.bounding;
+}
+
+bool any_bodies_measure(const Zone& zone) {
+  return std::any_of(zone.points.begin(), zone.points.end(),
+                     [](const MeasuringPoint& point) { return point.quantity != Quantity::planar; });
 }
 
 const View& find_view(const Zone& zone, const std::string& name) {

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "base/vec.hpp"
 #include "geometry/polygon.hpp"
+#include "hemisphere/response.hpp"
 #include "reflection/finish.hpp"
 #include "scene/view.hpp"
 
@@ -52,17 +53,20 @@ struct MeasuringPlane {
 
 struct MeasuringPoint {
   Vec3 position{0.0};
-  Vec3 normal{0, 0, 1};
+  Vec3 normal{0, 0, 1};  ///< or axis, or the way it faces: see Response
   /// False where no light of the zone comes: outside it, inside something. Statistics leave the point out.
   bool valid = true;
+  Quantity quantity = Quantity::planar;
+  Response response() const { return {normal, quantity}; }
 };
 
-/// Frame with its origin at the point and n its normal.
+/// Frame with its origin at the point and n its normal; v is up where it is semicylindrical.
 inline Frame frame_at(const MeasuringPoint& point) {
   Frame frame;
   frame.origin = point.position;
   frame.n = point.normal;
-  frame.u = perpendicular(point.normal);
+  frame.u = point.quantity == Quantity::semicylindrical ? glm::cross(Vec3(0, 0, 1), point.normal)
+                                                        : perpendicular(point.normal);
   frame.v = glm::cross(frame.n, frame.u);
   return frame;
 }
@@ -104,6 +108,13 @@ struct Zone {
 
 /// Whether light of the outside comes in through the surface: a glazed part of the shell.
 bool is_window(const Zone& zone, const Surface& surface);
+
+/// What the points of a set measure: all the same.
+inline Quantity quantity_of(const Zone& zone, const PointSet& set) {
+  return set.count > 0 ? zone.points[set.first].quantity : Quantity::planar;
+}
+/// Whether any point measures something else than planar illuminance.
+bool any_bodies_measure(const Zone& zone);
 
 /// The view of that name, the first one for an empty name.
 /// @throws InputError  no such view, or a zone without views

@@ -214,8 +214,11 @@ Json description(const Zone& zone) {
   for (const auto& view : zone.views) json["views"].push_back(view_to_json(view));
   for (const auto& plane : zone.planes)
     json["planes"].push_back({{"name", plane.name}, {"nu", plane.nu}, {"nv", plane.nv}});
-  for (const auto& set : zone.point_sets)
+  for (const auto& set : zone.point_sets) {
     json["point_sets"].push_back({{"name", set.name}, {"first", set.first}, {"count", set.count}});
+    const Quantity quantity = quantity_of(zone, set);
+    if (quantity != Quantity::planar) json["point_sets"].back()["quantity"] = quantity_word(quantity);
+  }
   if (zone.site)
     json["site"] = {{"latitude_deg", zone.site->latitude_deg},
                     {"longitude_deg", zone.site->longitude_deg},
@@ -247,6 +250,16 @@ View view_from(const JsonEntry& v) {
   return view;
 }
 
+// Half cylinders face a level way: their frame is built on it.
+void read_quantity(const JsonEntry& word, Zone& zone, const PointSet& set) {
+  const auto quantity = static_cast<Quantity>(word.word(quantity_words()));
+  for (std::size_t p = set.first; p < set.first + set.count; ++p) {
+    zone.points[p].quantity = quantity;
+    if (quantity == Quantity::semicylindrical && zone.points[p].normal.z != 0.0)
+      word.fail(fmt::format("is semicylindrical, and point {} does not face a level way", p));
+  }
+}
+
 void read_description(const JsonEntry& json, Zone& zone, const std::vector<Polygon>& plane_polygons) {
   zone.name = json["name"].text();
   const JsonEntry finishes = json["finishes"], views = json["views"], planes = json["planes"],
@@ -259,9 +272,11 @@ void read_description(const JsonEntry& json, Zone& zone, const std::vector<Polyg
                            planes.at(i)["nv"].integer(1, kMost), {}});
   }
   for (std::size_t i = 0; i < sets.size(); ++i) {
-    const std::size_t first = sets.at(i)["first"].index(zone.points.size() + 1);
-    zone.point_sets.push_back(
-        {sets.at(i)["name"].text(), first, sets.at(i)["count"].index(zone.points.size() - first + 1), {}});
+    const JsonEntry set = sets.at(i);
+    const std::size_t first = set["first"].index(zone.points.size() + 1);
+    const std::size_t count = set["count"].index(zone.points.size() - first + 1);
+    zone.point_sets.push_back({set["name"].text(), first, count, {}});
+    if (set.has("quantity")) read_quantity(set["quantity"], zone, zone.point_sets.back());
   }
   if (!json.has("site")) return;
   const JsonEntry site = json["site"];

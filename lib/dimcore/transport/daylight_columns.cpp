@@ -53,7 +53,7 @@ int index_of(DaylightPart part, std::size_t column, const SkyPatches& patches) {
 }
 
 ReceiverArea area_of(const Receiver& receiver) {
-  return {receiver.frame->n, receiver.ring, receiver.skip, receiver.stream};
+  return {receiver.response(), receiver.ring, receiver.skip, receiver.stream};
 }
 
 // Columns of one class for all classes.
@@ -210,8 +210,9 @@ void DaylightSources::add_to(DirectColumns& direct, const ModelPlan& plan, const
   job.check();
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, room_.n_points(), 1), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end() && !job.stopped(); ++i) {
-      const Frame frame = frame_at(room_.zone.points[i]);
-      add(point_receiver(frame, -1, point_key(room_.zone, i)), 1.0, &direct.point[i * direct.n_columns]);
+      const MeasuringPoint& point = room_.zone.points[i];
+      const Frame frame = frame_at(point);
+      add(point_receiver(frame, -1, point_key(room_.zone, i), point.quantity), 1.0, &direct.point[i * direct.n_columns]);
     }
   });
   job.check();

@@ -87,8 +87,9 @@ class OneLuminaire {
 
  private:
   void add_order(std::size_t point, const std::vector<PairIntegrator>& integrators) {
-    const Frame frame = frame_at(room_.zone.points[point]);
-    const Receiver receiver = point_receiver(frame, -1, point_key(room_.zone, point));
+    const MeasuringPoint& at = room_.zone.points[point];
+    const Frame frame = frame_at(at);
+    const Receiver receiver = point_receiver(frame, -1, point_key(room_.zone, point), at.quantity);
     const double tolerance_m = 1e-9 * room_.zone.diameter_m;
     std::vector<double> sums(plan_.n_classes(), 0.0), largest(plan_.n_classes(), 0.0);
     for (std::size_t e = 0; e < order_.size(); ++e) {

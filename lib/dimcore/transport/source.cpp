@@ -37,13 +37,15 @@ CombinedSources combine(const Lights& lights, const Bands& bands, Combine how) {
     const BandWeights weights = band_weights(fitting.spectrum, bands);
     const std::string name = combined_name(luminaire, how);
     auto found = std::find_if(result.sources.begin(), result.sources.end(), [&](const Source& source) {
-      return how != Combine::each && source.name == name && source.weights == weights;
+      return how != Combine::each && source.name == name && source.weights == weights &&
+             source.maintenance == luminaire.maintenance;
     });
     if (found == result.sources.end()) {
       Source source;
       source.name = name;
       source.group = how == Combine::all ? name : luminaire.group;
       source.weights = weights;
+      source.maintenance = luminaire.maintenance;
       found = result.sources.insert(result.sources.end(), std::move(source));
     }
     found->luminaires.push_back(luminaire.name);

@@ -48,6 +48,7 @@ struct Source {
   std::string group;
   std::vector<std::string> luminaires;
   double flux_lm = 0.0;  ///< of windows: what comes in
+  std::optional<double> maintenance;  ///< of the lights file: maintained over initial light, which flux_lm is
   std::optional<DaylightOrigin> daylight;
   BandWeights weights;
   std::vector<EnergyBalance> energy;  ///< [n_bands]
@@ -62,7 +63,7 @@ struct Source {
   std::vector<Vec3> xyz_by_class(const ReflectanceClasses& classes) const;
 };
 
-/// Luminaires made sources: of the same name after combining and the same spectrum.
+/// Luminaires made sources: of the same name after combining, the same spectrum and maintenance.
 struct CombinedSources {
   std::vector<Source> sources;
   std::vector<std::size_t> of_luminaire;  ///< [n_luminaires]
