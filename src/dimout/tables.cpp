@@ -28,6 +28,16 @@ double worst_imbalance(const Source& source) {
   return worst;
 }
 
+// What a file has besides: columns that a plain one does not show.
+bool measures_more_than_planes(const Zone& zone) {
+  return std::any_of(zone.points.begin(), zone.points.end(),
+                     [](const MeasuringPoint& point) { return point.quantity != Quantity::planar; });
+}
+bool is_maintained(const LuminanceDatabase& database) {
+  const auto& sources = database.sources();
+  return std::any_of(sources.begin(), sources.end(), [](const Source& source) { return source.maintenance.has_value(); });
+}
+
 }  // namespace
 
 TableCommands::TableCommands(Program& program) : program_(program) {
@@ -134,9 +144,12 @@ std::string TableCommands::planes_info(const LuminanceDatabase& database, nlohma
 void TableCommands::surfaces() {
   const LuminanceDatabase database = open_database(program_, input_);
   const Cells& cells = database.cells();
-  Table table(columns_with_source(input_, {"surface", "area_m2", "illuminance_mean_lx", "illuminance_min_lx",
-                                           "illuminance_max_lx", "luminance_mean_cd_m2", "cie_x", "cie_y",
-                                           "error_lx", "maintained_mean_lx"}));
+  const bool shows_maintained = is_maintained(database);
+  std::vector<std::string> columns{"surface",            "area_m2",              "illuminance_mean_lx",
+                                   "illuminance_min_lx", "illuminance_max_lx",   "luminance_mean_cd_m2",
+                                   "cie_x",              "cie_y",                "error_lx"};
+  if (shows_maintained) columns.emplace_back("maintained_mean_lx");
+  Table table(columns_with_source(input_, columns));
   for_sources(database, input_, [&](const std::string& source, const Mix& mix) {
     const auto figures = surface_figures(cells, cell_appearance(database, cells, mix));
     const auto kept_mix = maintained(database.sources(), mix);
@@ -146,12 +159,12 @@ void TableCommands::surfaces() {
     for (std::size_t s = 0; s < figures.size(); ++s) {
       if (database.zone().surfaces[s].outside) continue;
       const auto& f = figures[s];
-      table.add(
-          row_with_source(source, {database.zone().surfaces[s].name, f.area_m2, f.illuminance_mean_lx,
-                                   f.illuminance_min_lx, f.illuminance_max_lx, f.xyz_mean_cd_m2.y,
-                                   chromaticity(f.xyz_mean_cd_m2, 0), chromaticity(f.xyz_mean_cd_m2, 1),
-                                   errors ? (*errors)[s].total_lx() : kUnknown,
-                                   kept.empty() ? kUnknown : kept[s].illuminance_mean_lx}));
+      std::vector<Table::Value> row{database.zone().surfaces[s].name, f.area_m2, f.illuminance_mean_lx,
+                                    f.illuminance_min_lx, f.illuminance_max_lx, f.xyz_mean_cd_m2.y,
+                                    chromaticity(f.xyz_mean_cd_m2, 0), chromaticity(f.xyz_mean_cd_m2, 1),
+                                    errors ? (*errors)[s].total_lx() : kUnknown};
+      if (shows_maintained) row.emplace_back(kept.empty() ? kUnknown : kept[s].illuminance_mean_lx);
+      table.add(row_with_source(source, std::move(row)));
     }
   });
   write_table(program_, table, input_);
@@ -185,7 +198,10 @@ void TableCommands::grid() {
   if (stats_) return grid_stats(database, sets);
   std::vector<std::string> columns{"plane", "point", "x_m", "y_m", "z_m", "nx", "ny", "nz", "illuminance_lx"};
   if (daylight_factor_) columns.emplace_back("daylight_factor_percent");
-  columns.insert(columns.end(), {"error_lx", "quantity", "maintained_lx"});
+  const bool shows_quantity = measures_more_than_planes(zone), shows_maintained = is_maintained(database);
+  columns.emplace_back("error_lx");
+  if (shows_quantity) columns.emplace_back("quantity");
+  if (shows_maintained) columns.emplace_back("maintained_lx");
   Table table(columns_with_source(input_, columns));
   for_sources(database, input_, [&](const std::string& source, const Mix& asked) {
     const Mix mix = daylight_factor_ ? diffuse_daylight(database, asked) : asked;
@@ -198,8 +214,8 @@ void TableCommands::grid() {
         std::vector<Table::Value> row{set.name, static_cast<long>(p - set.first), at.x, at.y, at.z, n.x, n.y, n.z, lx[p]};
         if (daylight_factor_) row.emplace_back(100.0 * lx[p] / horizontal_lx);
         row.emplace_back(errors ? stated_lx((*errors)[p]) : kUnknown);
-        row.emplace_back(quantity_word(zone.points[p].quantity));
-        row.emplace_back(kept_lx.empty() ? kUnknown : kept_lx[p]);
+        if (shows_quantity) row.emplace_back(quantity_word(zone.points[p].quantity));
+        if (shows_maintained) row.emplace_back(kept_lx.empty() ? kUnknown : kept_lx[p]);
         table.add(row_with_source(source, std::move(row)));
       }
     }
@@ -222,23 +238,27 @@ double TableCommands::stated_lx(const PointError& error) const {
 }
 
 void TableCommands::grid_stats(const LuminanceDatabase& database, const std::vector<PointSet>& sets) {
-  Table table(columns_with_source(
-      input_, {"plane", "points", "min_lx", "mean_lx", "max_lx", "u0", "ud", "left_out", "error_lx", "quantity", "maintained_mean_lx"}));
+  const bool shows_quantity = measures_more_than_planes(database.zone()), shows_maintained = is_maintained(database);
+  std::vector<std::string> columns{"plane", "points", "min_lx", "mean_lx", "max_lx", "u0", "ud", "left_out", "error_lx"};
+  if (shows_quantity) columns.emplace_back("quantity");
+  if (shows_maintained) columns.emplace_back("maintained_mean_lx");
+  Table table(columns_with_source(input_, columns));
   for_sources(database, input_, [&](const std::string& source, const Mix& mix) {
     const auto lx = point_lx(database, mix);
     const auto kept_lx = maintained_lx(database, mix);
     const auto errors = point_errors(database, mix);
     for (const auto& set : sets) {
       const auto s = grid_statistics(lx, database.zone().points, set);
-      table.add(row_with_source(source, {set.name, static_cast<long>(s.n_points), s.min_lx, s.mean_lx,
-                                         s.max_lx, s.u0, s.ud, static_cast<long>(s.n_left_out),
-                                         errors && s.n_left_out < s.n_points
-                                             ? stated_lx(mean_error(*errors, database.zone().points, set))
-                                             : kUnknown,
-                                         quantity_word(quantity_of(database.zone(), set)),
-                                         kept_lx.empty()
-                                             ? kUnknown
-                                             : grid_statistics(kept_lx, database.zone().points, set).mean_lx}));
+      std::vector<Table::Value> row{set.name, static_cast<long>(s.n_points), s.min_lx, s.mean_lx,
+                                    s.max_lx, s.u0, s.ud, static_cast<long>(s.n_left_out),
+                                    errors && s.n_left_out < s.n_points
+                                        ? stated_lx(mean_error(*errors, database.zone().points, set))
+                                        : kUnknown};
+      if (shows_quantity) row.emplace_back(quantity_word(quantity_of(database.zone(), set)));
+      if (shows_maintained)
+        row.emplace_back(kept_lx.empty() ? kUnknown
+                                         : grid_statistics(kept_lx, database.zone().points, set).mean_lx);
+      table.add(row_with_source(source, std::move(row)));
     }
   });
   write_table(program_, table, input_);

@@ -167,7 +167,7 @@ mean_lx() { dimout surfaces a.lum -q | awk -F, 'NR > 1 { flux += $2 * $3; area +
   cd ../plane-outside
   solve plane-outside.zone.toml base.lights.toml
   grep "96 of 96 points lie outside" said
-  [ "$(dimout grid a.lum --stats | tail -1 | cut -d, -f1-9)" = work,96,,,,,,96, ]
+  [ "$(dimout grid a.lum --stats | tail -1)" = work,96,,,,,,96, ]
 }
 
 @test "furniture-outside, eye-in-desk, wrong-unit, unit-mistakes: each said with its cure" {

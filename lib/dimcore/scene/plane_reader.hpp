@@ -12,7 +12,7 @@ void read_plane(const TomlTable& table, const ZoneFrame& frame, double cell_m, S
 
 /// Reads an [[area]]: a level task area, and around it the planes of its immediate surrounding, `NAME.surrounding`, a
 /// band at its own height, and of its background, `NAME.background`, a band around that on the floor; both where there
-/// is a floor below, and not over the task. EN 12464-1:2021, 5.3.
+/// is a floor below, and not over the task. After EN 12464-1.
 void read_area(const TomlTable& table, const ZoneFrame& frame, SetNames& names, Zone& zone);
 
 }  // namespace dim

@@ -12,7 +12,7 @@ class TomlTable;
 /// Largest number of measuring points of one plane.
 inline constexpr std::size_t kMaxPoints = 10'000'000;
 
-/// Greatest distance of points on an area of d metres: p = 0.2 * 5^log10(d), at most 10 m. EN 12464-1:2021, 4.4.
+/// Greatest distance of points on an area of d metres: p = 0.2 * 5^log10(d), at most 10 m. After EN 12464-1.
 /// @param size_m  of the area: d is the longer side, the shorter one where that is at most half of it
 double spacing_en12464_m(const Vec2& size_m);
 
