@@ -53,11 +53,6 @@ class RowRays {
     return ray(patches, PatchSlice(patches, slice), slice, sector);
   }
 
-  /// The ray of a measuring point through a place in a patch, s and t in [0, 1) as `PatchGrid::direction` has them.
-  Ray ray(const PatchSlice& directions, int sector, double s, double t) const {
-    return {frame_.origin, frame_.direction_to_world(directions.direction(sector, s, t))};
-  }
-
   const Frame& frame() const { return frame_; }
   /// Surface that rays start on and cannot meet, -1 for a point.
   int skip() const { return skip_; }

@@ -33,7 +33,6 @@ struct Setting {
   const Columns<Real>& point_direct;
   const Reflectances& reflectances;
   const GatherShine* shine;
-  const PointDetail* detail;
   Contraction contraction;
   std::vector<double> lost_m2;
   std::optional<CellSmoothing> smoothing;  // nothing where the cells' size is not corrected
@@ -230,29 +229,8 @@ class Block {
       column[p] = static_cast<Real>(static_cast<double>(direct[p]) + arriving[p * width_ + c]);
   }
 
-  // With further rays for the columns that are wanted.
-  std::vector<double> to_points(const std::vector<bool>& wanted) {
-    auto arriving = propagation_.to_points(irradiance_);
-    if (!setting_.detail) return arriving;
-    std::vector<double> light = arriving;
-    for (std::size_t c = 0; c < n_; ++c) {
-      const auto direct = setting_.point_direct.column((first_ + c) % setting_.point_direct.n_columns());
-      for (std::size_t p = 0; p < result_.point.n_rows(); ++p) light[p * width_ + c] += static_cast<double>(direct[p]);
-    }
-    const auto changes = setting_.detail->changes(propagation_.exitance(), light, wanted);
-    detail_of_half_.resize(arriving.size(), 0.0);
-    for (std::size_t k = 0; k < arriving.size(); ++k) {
-      if (!wanted[k % width_]) continue;
-      arriving[k] += changes.of_all[k];
-      detail_of_half_[k] = changes.of_half[k];
-    }
-    return arriving;
-  }
-
   void copy_points() {
-    std::vector<bool> all(width_, false);
-    std::fill_n(all.begin(), n_, true);
-    auto arriving = to_points(all);
+    auto arriving = propagation_.to_points(irradiance_);
     if (setting_.smoothing) correct_points(arriving);
     for (std::size_t c = 0; c < n_; ++c) copy_points(c, arriving);
   }
@@ -336,9 +314,7 @@ class Block {
 
   // With every other ray, of the points and of the cells that they see.
   void compare_rays() {
-    auto by_half = propagation_.to_points_by_half(irradiance_);
-    for (std::size_t k = 0; k < detail_of_half_.size(); ++k) by_half[k] += detail_of_half_[k];
-    copy_differences(by_half, result_.point_rays);
+    copy_differences(propagation_.to_points_by_half(irradiance_), result_.point_rays);
     if (setting_.contraction.in_flux) return;
     std::vector<double> less;
     propagation_.reflect_by_half(irradiance_, less);
@@ -358,13 +334,12 @@ class Block {
 
   // Lobes of columns that have finished change with those that have not: taken now.
   void copy_shine() {
-    std::vector<bool> wanted(width_, false);
-    for (std::size_t c = 0; c < n_; ++c) wanted[c] = finishing(c);
-    const auto arriving = to_points(wanted);
+    const auto arriving = propagation_.to_points(irradiance_);
+    std::vector<bool> wanted(n_);
     for (std::size_t c = 0; c < n_; ++c) {
+      wanted[c] = finishing(c);
       if (wanted[c]) copy_points(c, arriving);
     }
-    wanted.resize(n_);
     propagation_.shine()->copy_psi(result_.psi, wanted);
   }
 
@@ -378,7 +353,6 @@ class Block {
   ConjugateResiduals cycle_;
   std::vector<double> irradiance_, residual_;  // [n_cells, width]
   std::vector<double> gains_;                  // [width] share that is left of what the correction adds
-  std::vector<double> detail_of_half_;         // [n_points, width] see `PointDetail::Changes`
   std::vector<double> sent_change_;            // [n_cells, width] of irradiance that twice as large cells send
   std::vector<Column> columns_;                // [width]
 };
@@ -388,8 +362,7 @@ class Block {
 template <class Real>
 Gathered<Real> gather(const Network& network, const Cells& cells, const Columns<Real>& direct,
                       const Columns<Real>& point_direct, const Reflectances& reflectances,
-                      const GatherOptions& options, const Job& job, const GatherShine* shine,
-                      const PointDetail* detail) {
+                      const GatherOptions& options, const Job& job, const GatherShine* shine) {
   const std::size_t n_columns = reflectances.n_columns();
   Gathered<Real> result;
   result.cell = Columns<Real>(cells.size(), n_columns);
@@ -404,7 +377,6 @@ Gathered<Real> gather(const Network& network, const Cells& cells, const Columns<
                               point_direct,
                               reflectances,
                               shine,
-                              detail,
                               contraction(network, cells, reflectances, shine),
                               lost_by_cells(network, cells),
                               {}};
@@ -428,10 +400,8 @@ Gathered<Real> gather(const Network& network, const Cells& cells, const Columns<
 }
 
 template Gathered<float> gather(const Network&, const Cells&, const Columns<float>&, const Columns<float>&,
-                                const Reflectances&, const GatherOptions&, const Job&, const GatherShine*,
-                                const PointDetail*);
+                                const Reflectances&, const GatherOptions&, const Job&, const GatherShine*);
 template Gathered<double> gather(const Network&, const Cells&, const Columns<double>&, const Columns<double>&,
-                                 const Reflectances&, const GatherOptions&, const Job&, const GatherShine*,
-                                const PointDetail*);
+                                 const Reflectances&, const GatherOptions&, const Job&, const GatherShine*);
 
 }  // namespace dim

@@ -8,7 +8,6 @@
 #include "network/network.hpp"
 #include "transport/column_report.hpp"
 #include "transport/columns.hpp"
-#include "transport/point_detail.hpp"
 #include "transport/propagation.hpp"
 
 namespace dim {
@@ -61,13 +60,11 @@ struct Gathered {
 ///                      c modulo their number
 /// @param point_direct  [n_points, the same]
 /// @param shine         null where every surface is diffusing
-/// @param detail        further rays of points; null: none
 /// @throws Interrupted
 template <class Real>
 Gathered<Real> gather(const Network& network, const Cells& cells, const Columns<Real>& direct,
                       const Columns<Real>& point_direct, const Reflectances& reflectances,
-                      const GatherOptions& options, const Job& job, const GatherShine* shine = nullptr,
-                      const PointDetail* detail = nullptr);
+                      const GatherOptions& options, const Job& job, const GatherShine* shine = nullptr);
 
 /// What measuring points receive from cells whose irradiances are known: the last step of a solution.
 /// [n_points, n_columns]

@@ -65,8 +65,6 @@ class Propagation {
   /// they are now are added.
   void send(const std::vector<float>& exitance, std::vector<double>& arriving);
 
-  /// As the last of `emit`, `to_points` and the like has left them, [n_cells + 1, width].
-  const std::vector<double>& exitance() const { return exitance_; }
   /// What measuring points receive. [n_points, width]
   std::vector<double> to_points(const std::vector<double>& irradiance);
   /// The same along every other ray of the points alone, less what all rays bring.

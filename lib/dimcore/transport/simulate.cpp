@@ -17,9 +17,8 @@ Gathered<float> inter_reflect(const Room& room, const ModelPlan& plan, const Shi
   const Reflectances reflectances = diffuse_reflectances(room.zone, plan);
   const GatherShine gather_shine{shine, room.zone, direct_shine};
   const auto* shiny = shine.any() ? &gather_shine : nullptr;
-  const PointDetail detail(room.zone, room.cells, room.network, room.obstructions.caster(), options.gather.tolerance);
   return options.solver == Solver::gather
-             ? gather(room.network, room.cells, direct.cell, direct.point, reflectances, options.gather, job, shiny, &detail)
+             ? gather(room.network, room.cells, direct.cell, direct.point, reflectances, options.gather, job, shiny)
              : track(room.zone, room.network, room.cells, direct.cell, direct.point, reflectances, options.track,
                      job, shiny);
 }
