@@ -56,7 +56,7 @@ solve() { dimdis zone.toml --cell 0.5 -q -o a.rays && dimray a.rays lights.toml 
   solve
   [ -z "$(of flat quantity)" ]
   sed -i 's/^grid = \[2, 1\]/grid = [2, 1]\nquantity = "cylindric"/' zone.toml
-  run -2 dimdis zone.toml -o b.rays
+  run -3 dimdis zone.toml -o b.rays
   [[ "$output" == *cylindrical* ]]
 }
 
