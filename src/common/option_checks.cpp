@@ -84,4 +84,9 @@ CLI::Validator number_within(double low, double high, bool low_open) {
   });
 }
 
+void refuse_both_on_stdout(const std::string& zone, const std::string& lights) {
+  if (zone == "-" && lights == "-")
+    throw UsageError("the zone and the lights cannot both go to standard output\n        give -o a name");
+}
+
 }  // namespace dim

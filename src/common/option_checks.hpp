@@ -30,4 +30,8 @@ double seconds_of(const std::string& text);
 void refuse_without_effect(const CLI::App& command, std::initializer_list<const char*> options,
                            const std::string& needs);
 
+/// Refuses to write a zone and its lights into one stream, paths being "-".
+/// @throws UsageError
+void refuse_both_on_stdout(const std::string& zone, const std::string& lights);
+
 }  // namespace dim

@@ -10,6 +10,7 @@
 #include "dimdis/options.hpp"
 #include "import/placing.hpp"
 #include "photometry/text_scanner.hpp"
+#include "scene/length_unit.hpp"
 #include "scene/zone_reader.hpp"
 
 namespace dim {
@@ -114,8 +115,7 @@ bool ImportCommand::run(Exit& status) {
   program_.check_output(output_, {input_});
   if (!lights_.empty()) {
     program_.check_output(lights_, {input_, output_});
-    if (lights_ == "-" && output_ == "-")
-      throw UsageError("the zone and the lights cannot both go to standard output\n        give -o a name");
+    refuse_both_on_stdout(output_, lights_);
   }
   const ImportOptions wanted = options();
   program_.stage("read");

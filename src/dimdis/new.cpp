@@ -120,8 +120,7 @@ bool NewCommand::run() {
   refuse_existing(output_);
   if (!lights_.empty()) {
     refuse_existing(lights_);
-    if (lights_ == "-" && output_ == "-")
-      throw UsageError("the zone and the lights cannot both go to standard output\n        give -o a name");
+    refuse_both_on_stdout(output_, lights_);
     program_.check_output(lights_, {output_});
   }
   program_.check_output(output_, {});

@@ -28,11 +28,6 @@ double worst_imbalance(const Source& source) {
   return worst;
 }
 
-// What a file has besides: columns that a plain one does not show.
-bool measures_more_than_planes(const Zone& zone) {
-  return std::any_of(zone.points.begin(), zone.points.end(),
-                     [](const MeasuringPoint& point) { return point.quantity != Quantity::planar; });
-}
 bool is_maintained(const LuminanceDatabase& database) {
   const auto& sources = database.sources();
   return std::any_of(sources.begin(), sources.end(), [](const Source& source) { return source.maintenance.has_value(); });
@@ -198,7 +193,7 @@ void TableCommands::grid() {
   if (stats_) return grid_stats(database, sets);
   std::vector<std::string> columns{"plane", "point", "x_m", "y_m", "z_m", "nx", "ny", "nz", "illuminance_lx"};
   if (daylight_factor_) columns.emplace_back("daylight_factor_percent");
-  const bool shows_quantity = measures_more_than_planes(zone), shows_maintained = is_maintained(database);
+  const bool shows_quantity = any_bodies_measure(zone), shows_maintained = is_maintained(database);
   columns.emplace_back("error_lx");
   if (shows_quantity) columns.emplace_back("quantity");
   if (shows_maintained) columns.emplace_back("maintained_lx");
@@ -238,7 +233,7 @@ double TableCommands::stated_lx(const PointError& error) const {
 }
 
 void TableCommands::grid_stats(const LuminanceDatabase& database, const std::vector<PointSet>& sets) {
-  const bool shows_quantity = measures_more_than_planes(database.zone()), shows_maintained = is_maintained(database);
+  const bool shows_quantity = any_bodies_measure(database.zone()), shows_maintained = is_maintained(database);
   std::vector<std::string> columns{"plane", "points", "min_lx", "mean_lx", "max_lx", "u0", "ud", "left_out", "error_lx"};
   if (shows_quantity) columns.emplace_back("quantity");
   if (shows_maintained) columns.emplace_back("maintained_mean_lx");

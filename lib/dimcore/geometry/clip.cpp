@@ -161,6 +161,16 @@ Region2 grown(const Region2& region, double width) {
   return grid.from_grid(result);
 }
 
+Region2 projected(const Polygon& polygon, const Frame& onto) {
+  Region2 region;
+  for (const Ring3& corners : polygon.corners()) {
+    Ring2 ring;
+    for (const Vec3& corner : corners) ring.push_back(onto.to_local(corner));
+    region.push_back(std::move(ring));
+  }
+  return region;
+}
+
 double area(const Region2& region) {
   double sum = 0.0;
   for (const auto& ring : region) sum += signed_area(ring);

@@ -21,6 +21,10 @@ Region2 clip_intersection(const Region2& subject, const Region2& clip);
 /// @param width  >= 0
 Region2 grown(const Region2& region, double width);
 
+/// A polygon's outlines in the coordinates of another plane, each point at its foot. They run the other way round where
+/// the two face apart.
+Region2 projected(const Polygon& polygon, const Frame& onto);
+
 /// Area of a region, holes taken away.
 double area(const Region2& region);
 

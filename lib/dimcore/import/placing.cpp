@@ -2,20 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 
 #include "geometry/box_tree.hpp"
+#include "scene/length_unit.hpp"
 
 namespace dim {
 namespace {
-
-struct Unit {
-  const char* name;
-  double length_m;
-};
-constexpr std::array<Unit, 5> kUnits = {
-    {{"m", 1.0}, {"mm", 0.001}, {"cm", 0.01}, {"in", 0.0254}, {"ft", 0.3048}}};
 
 /// y up: x stays, so that plans are not mirrored.
 Vec3 z_up(const Vec3& p) { return {p.x, -p.z, p.y}; }
@@ -49,12 +42,6 @@ bool is_size_of_room(double diagonal_m) { return diagonal_m >= 1.0 && diagonal_m
 
 }  // namespace
 
-std::optional<double> unit_named(const std::string& name) {
-  for (const Unit& unit : kUnits)
-    if (name == unit.name) return unit.length_m;
-  return std::nullopt;
-}
-
 void place_model(ImportedModel& model, std::optional<double> unit_m, std::optional<UpAxis> up) {
   constexpr double kFarthest_m = 1e9;
   const double scale = unit_m.value_or(model.unit_m.value_or(1.0));
@@ -87,9 +74,9 @@ void warn_of_improbable_size(const ImportedModel& model, double unit_m, Warnings
   const double diagonal_m = glm::length(size_m);
   if (is_size_of_room(diagonal_m)) return;
   std::string cure = "give --unit, the length of one unit of the file: mm, cm, m, in or ft";
-  for (const Unit& unit : kUnits)
-    if (is_size_of_room(diagonal_m / unit_m * unit.length_m)) {
-      const Vec3 in_unit = size_m / unit_m * unit.length_m;
+  for (const LengthUnit& unit : kLengthUnits)
+    if (is_size_of_room(diagonal_m / unit_m * unit.metres)) {
+      const Vec3 in_unit = size_m / unit_m * unit.metres;
       cure = fmt::format("--unit {} makes it {:.3g} x {:.3g} x {:.3g} m", unit.name, in_unit.x, in_unit.y,
                          in_unit.z);
       break;

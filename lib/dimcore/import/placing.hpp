@@ -6,9 +6,6 @@
 
 namespace dim {
 
-/// Length of a unit by its name in a zone file (m, mm, cm, in, ft), m; nothing for other words.
-std::optional<double> unit_named(const std::string& name);
-
 /// Puts everything of the model into metres with z up.
 /// @param unit_m  in place of what the model states; nothing there either: metres
 /// @param up      in place of what the model states

@@ -64,7 +64,7 @@ void count_read(const ImportedModel& model, ImportReport& report) {
   }
 }
 
-void count_rooms_after(const FaceMesh& mesh, const std::vector<Facing>& facings, ImportReport& report) {
+void count_rooms_after(const FaceMesh& mesh, const std::vector<FaceUse>& facings, ImportReport& report) {
   RoomSums sums(report);
   const Vec3 origin = mesh.points.empty() ? Vec3(0.0) : mesh.points[0];
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
@@ -72,7 +72,7 @@ void count_rooms_after(const FaceMesh& mesh, const std::vector<Facing>& facings,
     const MeshObject& object = mesh.objects[static_cast<std::size_t>(face.object)];
     if (facings[f] != stated_facing(face.lit) || !bounds(face.lit, object.room, object.on)) continue;
     RoomFigures& room = sums.of(object.room);
-    if (facings[f] == Facing::front) room.area_after_m2 += area_m2(mesh, face);
+    if (facings[f] == FaceUse::front) room.area_after_m2 += area_m2(mesh, face);
     for (const CornerRing& ring : face.rings)
       room.volume_after_m3 += volume_under(corners_of(mesh, ring), origin);
   }

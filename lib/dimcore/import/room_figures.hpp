@@ -10,6 +10,6 @@ namespace dim {
 void count_read(const ImportedModel& model, ImportReport& report);
 
 /// The same of the rooms that the file names, once the faces are cleaned up.
-void count_rooms_after(const FaceMesh& mesh, const std::vector<Facing>& facings, ImportReport& report);
+void count_rooms_after(const FaceMesh& mesh, const std::vector<FaceUse>& facings, ImportReport& report);
 
 }  // namespace dim

@@ -9,18 +9,18 @@
 
 namespace dim {
 
-Facing stated_facing(Lit lit) {
+FaceUse stated_facing(Lit lit) {
   switch (lit) {
     case Lit::both:
-      return Facing::both;
+      return FaceUse::both;
     case Lit::outside:
-      return Facing::outside;
+      return FaceUse::outside;
     case Lit::outside_sheet:
-      return Facing::outside_sheet;
+      return FaceUse::outside_sheet;
     case Lit::open:
-      return Facing::open;
+      return FaceUse::open;
     default:
-      return Facing::front;
+      return FaceUse::front;
   }
 }
 
@@ -66,8 +66,8 @@ class Spaces {
     rooms_ = {most->first};
   }
 
-  std::vector<Facing> decide(ImportReport& report) {
-    std::vector<Facing> facings;
+  std::vector<FaceUse> decide(ImportReport& report) {
+    std::vector<FaceUse> facings;
     if (rooms_.empty())
       warnings_.push_back(
           {{},
@@ -151,21 +151,21 @@ class Spaces {
     }
   }
 
-  Facing decide(std::uint32_t f, ImportReport& report) {
+  FaceUse decide(std::uint32_t f, ImportReport& report) {
     MeshFace& face = mesh_.faces[f];
     if (face.lit != Lit::unknown) return stated_facing(face.lit);
-    if (rooms_.empty()) return face.back_material >= 0 ? Facing::both : Facing::front;
+    if (rooms_.empty()) return face.back_material >= 0 ? FaceUse::both : FaceUse::front;
     const std::uint32_t front = space_of(2 * f), back = space_of(2 * f + 1);
-    if (is_room(front) && is_room(back)) return front == back ? Facing::both : Facing::two_spaces;
-    if (is_room(front)) return Facing::front;
+    if (is_room(front) && is_room(back)) return front == back ? FaceUse::both : FaceUse::two_spaces;
+    if (is_room(front)) return FaceUse::front;
     if (is_room(back)) {
       turn(face, report);
-      return Facing::front;
+      return FaceUse::front;
     }
-    if (front != kOutside && back != kOutside) return Facing::hidden;
+    if (front != kOutside && back != kOutside) return FaceUse::hidden;
     if (front != kOutside) turn(face, report);
-    return front == back && !sides_.parts[sides_.part_of[2 * f]].closed ? Facing::outside_sheet
-                                                                        : Facing::outside;
+    return front == back && !sides_.parts[sides_.part_of[2 * f]].closed ? FaceUse::outside_sheet
+                                                                        : FaceUse::outside;
   }
 
   static void turn(MeshFace& face, ImportReport& report) {
@@ -175,14 +175,14 @@ class Spaces {
   }
 
   /// A sheet that lies on a wall, which says nothing by what it sees, is lit as the wall is.
-  void lay_sheets_on(std::vector<Facing>& facings, ImportReport& report) {
+  void lay_sheets_on(std::vector<FaceUse>& facings, ImportReport& report) {
     for (std::uint32_t f = 0; f < mesh_.faces.size(); ++f) {
       MeshFace& face = mesh_.faces[f];
-      const bool is_sheet = !sides_.parts[sides_.part_of[2 * f]].closed && facings[f] != Facing::front;
+      const bool is_sheet = !sides_.parts[sides_.part_of[2 * f]].closed && facings[f] != FaceUse::front;
       if (!is_sheet || face.lit != Lit::unknown) continue;
       const auto under = sight_.lies_against(f);
-      if (!under || facings[*under] != Facing::front) continue;
-      facings[f] = Facing::front;
+      if (!under || facings[*under] != FaceUse::front) continue;
+      facings[f] = FaceUse::front;
       if (glm::dot(newell(mesh_, face), newell(mesh_, mesh_.faces[*under])) < 0.0) turn(face, report);
     }
   }
@@ -228,22 +228,22 @@ std::string room_around(const FaceMesh& mesh, const Vec3& inside) {
 }
 
 /// Leaves out faces of other rooms.
-void keep_room(const FaceMesh& mesh, const std::string& room, std::vector<Facing>& facings) {
+void keep_room(const FaceMesh& mesh, const std::string& room, std::vector<FaceUse>& facings) {
   for (std::size_t f = 0; f < facings.size(); ++f) {
     const std::string& own = mesh.objects[static_cast<std::size_t>(mesh.faces[f].object)].room;
-    if (!own.empty() && own != room) facings[f] = Facing::hidden;
+    if (!own.empty() && own != room) facings[f] = FaceUse::hidden;
   }
 }
 
-std::vector<Facing> as_stated(const FaceMesh& mesh) {
-  std::vector<Facing> facings;
+std::vector<FaceUse> as_stated(const FaceMesh& mesh) {
+  std::vector<FaceUse> facings;
   for (const MeshFace& face : mesh.faces) facings.push_back(stated_facing(face.lit));
   return facings;
 }
 
 }  // namespace
 
-std::vector<Facing> face_rooms(FaceMesh& mesh, const std::optional<Vec3>& inside, ImportReport& report,
+std::vector<FaceUse> face_rooms(FaceMesh& mesh, const std::optional<Vec3>& inside, ImportReport& report,
                                Warnings& warnings) {
   const bool is_stated = std::none_of(mesh.faces.begin(), mesh.faces.end(),
                                       [](const MeshFace& face) { return face.lit == Lit::unknown; });

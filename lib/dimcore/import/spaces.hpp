@@ -10,7 +10,7 @@
 namespace dim {
 
 /// Which side of each face is lit.
-enum class Facing : std::uint8_t {
+enum class FaceUse : std::uint8_t {
   front,          ///< as its corners run, now that it is turned
   both,           ///< a sheet with one space on both sides
   two_spaces,     ///< with a space on either side: two surfaces back to back
@@ -20,13 +20,13 @@ enum class Facing : std::uint8_t {
   hidden          ///< seen from no space
 };
 
-inline bool is_outside(Facing facing) { return facing == Facing::outside || facing == Facing::outside_sheet; }
+inline bool is_outside(FaceUse facing) { return facing == FaceUse::outside || facing == FaceUse::outside_sheet; }
 
 /// The facing of a face whose lit side is stated.
-Facing stated_facing(Lit lit);
+FaceUse stated_facing(Lit lit);
 
 /// Whether a surface is written for the face.
-inline bool is_written(Facing facing) { return facing != Facing::open && facing != Facing::hidden; }
+inline bool is_written(FaceUse facing) { return facing != FaceUse::open && facing != FaceUse::hidden; }
 
 /// Decides by what encloses what, and turns faces so that their front is the lit side.
 ///
@@ -36,7 +36,7 @@ inline bool is_written(Facing facing) { return facing != Facing::open && facing 
 /// @param inside  a point of the one room that is wanted; nothing: all rooms
 /// @returns [faces]
 /// @throws InputError  `inside` lies in no room
-std::vector<Facing> face_rooms(FaceMesh& mesh, const std::optional<Vec3>& inside, ImportReport& report,
+std::vector<FaceUse> face_rooms(FaceMesh& mesh, const std::optional<Vec3>& inside, ImportReport& report,
                                Warnings& warnings);
 
 }  // namespace dim

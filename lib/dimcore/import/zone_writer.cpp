@@ -28,7 +28,7 @@ class FinishWriter {
   std::string operator()(const ImportedMaterial& material, const std::string& name) {
     const std::string key = toml_quoted(name);
     if (material.is_glass && !material.transmittance) return unstated_glazing(key, name);
-    if (material.transmittance) return fmt::format("{} = {}\n", key, glazing(material, name));
+    if (material.transmittance) return fmt::format("{} = {}\n", key, glazing(material));
     if (!material.diffuse && material.specular < 1.0) assumed_.push_back(name);
     const double diffuse = share(material.diffuse.value_or(material.assumed), name);
     std::string keys = fmt::format("diffuse = {}", number(material.specular < 1.0 ? diffuse : 0.0));
@@ -70,7 +70,7 @@ class FinishWriter {
 
   static std::string number(double value) { return fmt::format("{:.6g}", value); }
 
-  static std::string glazing(const ImportedMaterial& material, const std::string&) {
+  static std::string glazing(const ImportedMaterial& material) {
     std::string keys =
         fmt::format("transmittance = {}", number(std::clamp(*material.transmittance, 0.0, 1.0)));
     if (material.scattering) {
@@ -102,26 +102,26 @@ class SurfaceWriter {
     for (const MeshFace& face : mesh.faces) ++n_of_object_[static_cast<std::size_t>(face.object)];
   }
 
-  std::string operator()(const MeshFace& face, Facing facing, ImportReport& report) {
-    if (facing == Facing::two_spaces) {
+  std::string operator()(const MeshFace& face, FaceUse facing, ImportReport& report) {
+    if (facing == FaceUse::two_spaces) {
       MeshFace other = face;
       if (other.back_material < 0) other.back_material = face.material;
       turn_round(other);
       // One after the other: names are given in the order of writing.
-      std::string text = (*this)(face, Facing::front, report);
-      return text += (*this)(other, Facing::front, report);
+      std::string text = (*this)(face, FaceUse::front, report);
+      return text += (*this)(other, FaceUse::front, report);
     }
     const MeshObject& object = mesh_.objects[static_cast<std::size_t>(face.object)];
     const bool differ =
-        facing == Facing::both && face.back_material >= 0 && face.back_material != face.material;
-    if (differ) return (*this)(face, Facing::two_spaces, report);
+        facing == FaceUse::both && face.back_material >= 0 && face.back_material != face.material;
+    if (differ) return (*this)(face, FaceUse::two_spaces, report);
     const std::string name = names_.add(object.name);
     written_.emplace(object.name, name);
     ++report.n_written;
     report.area_written_m2 += area_m2(mesh_, face);
     std::string text = fmt::format("[[surface]]\nname = {}\nfinish = {}\n", toml_quoted(name),
                                    toml_quoted(finishes_[static_cast<std::size_t>(face.material)]));
-    if (facing == Facing::both || facing == Facing::outside_sheet) text += "sides = 2\n";
+    if (facing == FaceUse::both || facing == FaceUse::outside_sheet) text += "sides = 2\n";
     if (is_outside(facing)) text += "outside = true\n", ++report.n_outside;
     if (const std::string* parent = parent_of(object)) text += fmt::format("on = {}\n", toml_quoted(*parent));
     text += "vertices = " + ring(face.rings[0]) + "\n";
@@ -176,7 +176,7 @@ std::string sensors_text(const ImportedModel& model, const ZoneNumbers& numbers)
 }
 
 std::vector<bool> materials_in_use(const ImportedModel& model, const FaceMesh& mesh,
-                                   const std::vector<Facing>& facings) {
+                                   const std::vector<FaceUse>& facings) {
   std::vector<bool> used(model.materials.size(), false);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     if (!is_written(facings[f])) continue;
@@ -193,7 +193,7 @@ std::string heading_text(const ZoneHeading& heading, const std::string& what) {
 
 }  // namespace
 
-std::string zone_text(const ImportedModel& model, const FaceMesh& mesh, const std::vector<Facing>& facings,
+std::string zone_text(const ImportedModel& model, const FaceMesh& mesh, const std::vector<FaceUse>& facings,
                       const ZoneHeading& heading, ImportReport& report, Warnings& warnings) {
   const ZoneNumbers numbers(model.single_precision ? mesh.size_m : 0.0);
   std::string text =
@@ -211,7 +211,7 @@ std::string zone_text(const ImportedModel& model, const FaceMesh& mesh, const st
   text += '\n';
   SurfaceWriter surface(mesh, finishes, numbers);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    if (facings[f] == Facing::hidden)
+    if (facings[f] == FaceUse::hidden)
       report.hidden.push_back(mesh.objects[static_cast<std::size_t>(mesh.faces[f].object)].name);
     else if (is_written(facings[f]))
       text += surface(mesh.faces[f], facings[f], report);

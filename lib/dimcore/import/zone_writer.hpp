@@ -19,7 +19,7 @@ struct ZoneHeading {
 /// surface for each face that is seen, sensors. Counts surfaces and areas in the report, lists what names
 /// became, and what materials do not state.
 /// @param facings  [mesh.faces]
-std::string zone_text(const ImportedModel& model, const FaceMesh& mesh, const std::vector<Facing>& facings,
+std::string zone_text(const ImportedModel& model, const FaceMesh& mesh, const std::vector<FaceUse>& facings,
                       const ZoneHeading& heading, ImportReport& report, Warnings& warnings);
 
 /// The lights file of the model's luminaires, metres.

@@ -35,12 +35,7 @@ bool lies_in_plane(const Polygon& polygon, const Frame& plane, double tolerance_
 }
 
 Region2 region_in_frame(const Polygon& other, const Polygon& base, double touch_m) {
-  Region2 region;
-  for (const auto& ring : other.rings()) {
-    Ring2 flat;
-    for (const auto& p : ring) flat.push_back(base.frame().to_local(other.frame().to_world(p)));
-    region.push_back(std::move(flat));
-  }
+  Region2 region = projected(other, base.frame());
   // Seen from behind, outlines run the other way.
   if (glm::dot(other.normal(), base.normal()) < 0.0)
     for (auto& ring : region) std::reverse(ring.begin(), ring.end());

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <optional>
 
 #include "database/toml_reader.hpp"
 #include "scene/inside_test.hpp"
+#include "scene/length_unit.hpp"
 
 namespace dim {
 namespace {
@@ -20,15 +20,8 @@ constexpr double kSmallestRoom_m = 0.3;
 constexpr double kLargestRoom_m = 1500.0;
 constexpr double kTallestRoom_m = 100.0;
 
-struct Unit {
-  const char* name;
-  double metres;
-};
-constexpr std::array<Unit, 5> kUnits = {
-    {{"m", 1.0}, {"mm", 1e-3}, {"cm", 1e-2}, {"ft", 0.3048}, {"in", 0.0254}}};
-
 std::string unit_name(double unit_m) {
-  for (const auto& unit : kUnits)
+  for (const auto& unit : kLengthUnits)
     if (unit.metres == unit_m) return unit.name;
   return fmt::format("{:g} m", unit_m);
 }
@@ -196,7 +189,7 @@ void warn_of_size(const Zone& zone, const Place& place, Warnings& warnings) {
   if (!small && !large) return;
   std::string cure =
       fmt::format("every length of the file is in {}; say unit = \"...\"", unit_name(zone.unit_m));
-  for (const auto& unit : kUnits)
+  for (const auto& unit : kLengthUnits)
     if (like_a_room(size_m * (unit.metres / zone.unit_m))) {
       cure = fmt::format("every length of the file is in {}: is it unit = \"{}\"?", unit_name(zone.unit_m),
                          unit.name);

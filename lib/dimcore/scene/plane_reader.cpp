@@ -22,17 +22,12 @@ std::optional<Polygon> read_polygon(const TomlTable& table, const ZoneFrame& fra
   return Polygon(*outline, *holes);
 }
 
-bool asks_for_standard_spacing(const TomlTable& table) {
-  const auto* node = table.node("spacing");
-  return node && node->is_string() && table.word("spacing", {"en12464"});
-}
-
 // @param otherwise_m  spacing where none is given
 bool read_grid(const TomlTable& table, const ZoneFrame& frame, double otherwise_m, MeasuringPlane& plane) {
-  const bool standard = asks_for_standard_spacing(table);
-  const auto spacing = table.node("spacing") && table.node("spacing")->is_string()
-                           ? std::nullopt
-                           : table.number("spacing", kLength);
+  const auto* node = table.node("spacing");
+  const bool is_word = node && node->is_string();
+  const bool standard = is_word && table.word("spacing", {"en12464"});
+  const auto spacing = is_word ? std::nullopt : table.number("spacing", kLength);
   const auto grid = table.integers2("grid", 1, kMaxGrid);
   if (grid) {
     plane.nu = grid->first;

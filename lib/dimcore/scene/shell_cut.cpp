@@ -45,14 +45,7 @@ Frame turned(const Frame& plane) { return {plane.origin, plane.v, plane.u, -plan
 bool is_covered(const Ring3& section, const Frame& plane, const std::vector<const Polygon*>& walls, double touch_m) {
   Region2 open = section_region(section, plane, touch_m);
   for (const auto* wall : walls)
-    if (in_plane(*wall, plane, touch_m)) {
-      Region2 there;
-      for (const auto& ring : wall->corners()) {
-        there.emplace_back();
-        for (const auto& p : ring) there.back().push_back(plane.to_local(p));
-      }
-      open = clip_difference(open, there);
-    }
+    if (in_plane(*wall, plane, touch_m)) open = clip_difference(open, projected(*wall, plane));
   return without_slivers(std::move(open), 2.0 * touch_m).empty();
 }
 

@@ -13,17 +13,6 @@ constexpr double kSameHeight = 1e-9;
 
 bool looks_up(const Surface& surface) { return !surface.outside && surface.polygon.normal().z > kLevel; }
 
-// A level polygon seen from above, in the coordinates of another's plane.
-Region2 projected(const Polygon& polygon, const Frame& onto) {
-  Region2 region;
-  for (const Ring3& corners : polygon.corners()) {
-    Ring2 ring;
-    for (const Vec3& corner : corners) ring.push_back(onto.to_local(corner));
-    region.push_back(std::move(ring));
-  }
-  return region;
-}
-
 // What of a region in the frame's plane has something below it that looks up.
 Region2 over_floors(const Region2& region, const Frame& frame, const Zone& zone) {
   Region2 beyond = region;

@@ -1,9 +1,8 @@
 #include "scene/zone_reader.hpp"
 
-#include <map>
-
 #include "database/toml_reader.hpp"
 #include "scene/finish_reader.hpp"
+#include "scene/length_unit.hpp"
 #include "scene/receiver_reader.hpp"
 #include "scene/zone_assembly.hpp"
 
@@ -12,9 +11,7 @@ namespace {
 
 double unit_of(const TomlTable& root) {
   const auto unit = root.word("unit", {"m", "mm", "cm", "in", "ft"});
-  static const std::map<std::string, double> kMetres = {
-      {"m", 1.0}, {"mm", 1e-3}, {"cm", 1e-2}, {"in", 0.0254}, {"ft", 0.3048}};
-  return unit ? kMetres.at(*unit) : 1.0;
+  return unit ? *unit_named(*unit) : 1.0;
 }
 
 ZoneParts read_parts(const TomlTable& root, double cell_override_m, const DatabaseSearch& search) {

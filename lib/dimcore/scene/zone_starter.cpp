@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "scene/point_grid.hpp"
 
 namespace dim {
 namespace {
@@ -47,14 +48,10 @@ double cell_m(const StarterRoom& room) {
   return std::max(std::min(0.25, two_digits(diagonal_m / 20.0)), two_digits(std::sqrt(area_m2 / kMaxCells)));
 }
 
-/// EN 12464-1: p = 0.2 m · 5^lg(d / 1 m), d the longer side of the area, or the shorter where they are as 2
-/// to 1.
 double spacing_m(const StarterRoom& room, double inset_m) {
   const double leg_y_m = room.leg ? room.leg->along_y_m : 0.0;
-  const double x_m = room.along_x_m - 2.0 * inset_m, y_m = room.along_y_m + leg_y_m - 2.0 * inset_m;
-  const auto [shorter_m, longer_m] = std::minmax(x_m, y_m);
-  const double d_m = longer_m >= 2.0 * shorter_m ? shorter_m : longer_m;
-  return two_digits(std::min(10.0, 0.2 * std::pow(5.0, std::log10(d_m))));
+  return two_digits(
+      spacing_en12464_m({room.along_x_m - 2.0 * inset_m, room.along_y_m + leg_y_m - 2.0 * inset_m}));
 }
 
 std::string vertices(const std::vector<Vec2>& corners, double height_m) {
